@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "TriSurface.h"
+
+namespace restenosis {
+
+/// What drives the flow and what flows; the same for every backend. SI units.
+struct FlowConditions {
+  enum class Drive { flowRate, pressureGradient };
+  Drive drive = Drive::flowRate;
+  double flowRate = 0.0;            ///< volume per time through the inlet [m^3/s]
+  double pressureGradient = 0.0;    ///< -dp/dz [Pa/m], for Drive::pressureGradient
+  double density = 1000.0;          ///< [kg/m^3]
+  double kinematicViscosity = 0.0;  ///< [m^2/s]
+  double dynamicViscosity() const { return density * kinematicViscosity; }
+};
+
+/// One face of a backend's wall: where it is and the traction it feels.
+struct WallFace {
+  Vec3 centre;           ///< [m]
+  double area;           ///< [m^2]
+  Vec3 traction;         ///< tangential traction of the fluid on the wall, along the flow [Pa]
+  SurfaceRegion region;  ///< wall or strut
+};
+
+/// A steady solution, as far as anything outside the backend needs it, and how it was obtained.
+struct FlowSolution {
+  std::vector<WallFace> wall;
+  double pressureDrop = 0.0;   ///< inlet minus outlet, area-weighted [Pa]
+  double massImbalance = 0.0;  ///< |out - in| / in
+  std::size_t cells = 0;
+  int iterations = 0;
+  double meshSeconds = 0.0, solveSeconds = 0.0;
+  std::vector<std::string> remarks;  ///< retries, warnings; empty when all went as planned
+};
+
+/// A flow that could not be computed; `what()` says which step failed and why, `log` is the file to read.
+struct FlowFailed : std::runtime_error {
+  FlowFailed(const std::string& message, std::filesystem::path logFile)
+      : std::runtime_error(message), log(std::move(logFile)) {}
+  std::filesystem::path log;
+};
+
+/// Solves steady blood flow in a lumen. A backend sees a surface, never an agent.
+class FlowBackend {
+ public:
+  virtual ~FlowBackend() = default;
+  virtual std::string_view name() const = 0;
+  /// Solves for this lumen. `caseFolder` is the backend's to create and fill; what it leaves there is what a
+  /// user opens. Throws FlowFailed.
+  virtual FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
+                             const std::filesystem::path& caseFolder) = 0;
+};
+
+}  // namespace restenosis

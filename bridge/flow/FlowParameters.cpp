@@ -1,0 +1,51 @@
+#include "FlowParameters.h"
+
+#include <numbers>
+
+namespace restenosis {
+
+void FlowParameters::describe(ParameterVisitor& p) {
+  p.choice(backend, {"foam", "analytic", "none"},
+           {.key = "backend",
+            .source = "model 8",
+            .description = "OpenFOAM, Poiseuille from the local radius, or no flow"});
+  p.choice(drive, {"flowRate", "pressureGradient"},
+           {.key = "drive", .source = "model 8", .description = "what stays fixed while the lumen narrows"});
+  p.quantity(meanVelocity, {.key = "meanVelocity",
+                            .unit = "m/s",
+                            .minimum = 0,
+                            .maximum = 10,
+                            .minimumAllowed = false,
+                            .source = "ISR3D",
+                            .description = "mean velocity in the undeformed lumen; sets the flow rate"});
+  p.quantity(pressureGradient,
+             {.key = "pressureGradient",
+              .unit = "Pa/m",
+              .minimum = 0,
+              .maximum = 1e7,
+              .source = "assumed",
+              .description = "pressure lost along the vessel, for drive = \"pressureGradient\""});
+  p.quantity(density, {.key = "density",
+                       .unit = "kg/m^3",
+                       .minimum = 1,
+                       .maximum = 20000,
+                       .source = "ISR3D",
+                       .description = "density of blood"});
+  p.quantity(kinematicViscosity, {.key = "kinematicViscosity",
+                                  .unit = "m^2/s",
+                                  .minimum = 1e-8,
+                                  .maximum = 1,
+                                  .source = "ISR3D",
+                                  .description = "kinematic viscosity of blood"});
+}
+
+FlowConditions FlowParameters::conditions(double lumenDiameter) const {
+  return {.drive =
+              drive == "flowRate" ? FlowConditions::Drive::flowRate : FlowConditions::Drive::pressureGradient,
+          .flowRate = meanVelocity * std::numbers::pi * lumenDiameter * lumenDiameter / 4.0,
+          .pressureGradient = pressureGradient,
+          .density = density,
+          .kinematicViscosity = kinematicViscosity};
+}
+
+}  // namespace restenosis

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "FlowBackend.h"
+#include "ParameterVisitor.h"
+
+namespace restenosis {
+
+/// Blood flow (model 8).
+struct FlowParameters {
+  static constexpr std::string_view section = "flow";
+  static constexpr std::string_view summary = "Steady laminar blood flow through the lumen";
+
+  std::string backend = "foam";
+  std::string drive = "flowRate";
+  double meanVelocity = 0.133;         ///< in the undeformed lumen [m/s]
+  double pressureGradient = 866.0;     ///< -dp/dz [Pa/m]
+  double density = 1000.0;             ///< [kg/m^3]
+  double kinematicViscosity = 2.7e-6;  ///< [m^2/s]
+
+  void describe(ParameterVisitor& p);
+  /// The conditions a backend solves for; the flow rate is the mean velocity times the undeformed lumen's
+  /// area.
+  FlowConditions conditions(double lumenDiameter) const;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,77 @@
+#include "RunParameters.h"
+
+namespace restenosis {
+
+void SceneParameters::describe(ParameterVisitor& p) {
+  p.text(title, {.key = "title", .source = "none", .description = "a line for people"});
+  p.quantity(duration, {.key = "duration",
+                        .unit = "d",
+                        .minimum = 0,
+                        .maximum = 10000,
+                        .minimumAllowed = false,
+                        .required = true,
+                        .source = "T6",
+                        .description = "biological time to simulate"});
+  p.quantity(step, {.key = "step",
+                    .unit = "h",
+                    .minimum = 0,
+                    .maximum = 48,
+                    .minimumAllowed = false,
+                    .source = "T6",
+                    .description = "biological step"});
+  p.integer(seed,
+            {.key = "seed", .minimum = 0, .source = "none", .description = "seed of all random numbers"});
+  p.choice(fidelity, {"draft", "standard", "reference"},
+           {.key = "fidelity", .source = "assumed", .description = "cell sizes of the flow mesh"});
+}
+
+void CouplingParameters::describe(ParameterVisitor& p) {
+  p.choice(schedule, {"onChange", "everyStep"},
+           {.key = "schedule",
+            .source = "model 9",
+            .description = "solve the flow when its answer may have changed, "
+                           "or at every step (T6)"});
+  p.quantity(lumenTolerance, {.key = "lumenTolerance",
+                              .unit = "um",
+                              .minimum = 0,
+                              .maximum = 1000,
+                              .source = "assumed",
+                              .description = "movement of the lumen below which the last flow still holds"});
+  p.quantity(surfaceSmoothing, {.key = "surfaceSmoothing",
+                                .unit = "um",
+                                .minimum = 0,
+                                .maximum = 500,
+                                .source = "ISR3D",
+                                .description = "cell scale at which the lumen surface is smoothed"});
+  p.quantity(surfaceResolution, {.key = "surfaceResolution",
+                                 .unit = "um",
+                                 .minimum = 2,
+                                 .maximum = 200,
+                                 .source = "assumed",
+                                 .description = "spacing of the distance field"});
+  p.choice(
+      remesh, {"always"},
+      {.key = "remesh", .source = "model 9", .description = "mesh each lumen afresh with snappyHexMesh"});
+}
+
+void OutputParameters::describe(ParameterVisitor& p) {
+  p.quantity(interval, {.key = "interval",
+                        .unit = "d",
+                        .minimum = 0,
+                        .maximum = 10000,
+                        .minimumAllowed = false,
+                        .source = "none",
+                        .description = "simulated time between recorded states"});
+  p.quantity(checkpointInterval, {.key = "checkpointInterval",
+                                  .unit = "d",
+                                  .minimum = 0,
+                                  .maximum = 10000,
+                                  .minimumAllowed = false,
+                                  .source = "none",
+                                  .description = "simulated time between checkpoints"});
+  p.choice(keepFlowCases, {"last", "all"},
+           {.key = "keepFlowCases", .source = "none", .description = "OpenFOAM cases to keep"});
+  p.boolean(pictures, {.key = "pictures", .source = "none", .description = "draw PNG pictures at the end"});
+}
+
+}  // namespace restenosis

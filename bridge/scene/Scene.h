@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "CellCycleParameters.h"
+#include "ContactInhibitionParameters.h"
+#include "EndotheliumParameters.h"
+#include "FlowParameters.h"
+#include "InjuryParameters.h"
+#include "MechanicsParameters.h"
+#include "RunParameters.h"
+#include "StentParameters.h"
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+/// A scene as read: a section that is absent is not modelled. `coupling` and `output` say how, not what, and
+/// have defaults throughout.
+struct Scene {
+  std::string name;  ///< the file's stem
+  std::filesystem::path file;
+  SceneParameters scene;
+  VesselParameters vessel;
+  std::optional<StentParameters> stent;
+  std::optional<InjuryParameters> injury;
+  std::optional<MechanicsParameters> mechanics;
+  std::optional<CellCycleParameters> cellCycle;
+  std::optional<ContactInhibitionParameters> contactInhibition;
+  std::optional<EndotheliumParameters> endothelium;
+  std::optional<FlowParameters> flow;
+  CouplingParameters coupling;
+  OutputParameters output;
+
+  /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
+  bool hasTissue() const { return mechanics.has_value(); }
+
+  /// Calls f(section, present) for every section in the order of the contract; `section` is the parameters,
+  /// of a section that is absent as well (with its defaults).
+  template <class F>
+  void forEachSection(F&& f);
+};
+
+template <class F>
+void Scene::forEachSection(F&& f) {
+  auto optional = [&f](auto& section) {
+    if (section) {
+      f(*section, true);
+    } else {
+      typename std::remove_reference_t<decltype(section)>::value_type defaults;
+      f(defaults, false);
+    }
+  };
+  f(scene, true);
+  f(vessel, true);
+  optional(stent);
+  optional(injury);
+  optional(mechanics);
+  optional(cellCycle);
+  optional(contactInhibition);
+  optional(endothelium);
+  optional(flow);
+  f(coupling, true);
+  f(output, true);
+}
+
+}  // namespace restenosis

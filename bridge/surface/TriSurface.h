@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// What a face of the lumen surface belongs to.
+enum class SurfaceRegion : std::uint8_t { wall, strut, inlet, outlet };
+
+/// A closed triangulated lumen surface [m]. Normals (right-hand rule) point out of the lumen, into the wall.
+/// The ends are planar and carry the regions inlet and outlet.
+struct TriSurface {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<SurfaceRegion> region;  ///< one a triangle
+
+  /// Normal times area of a triangle [m^2].
+  Vec3 areaVector(std::size_t triangle) const {
+    const auto& t = triangles[triangle];
+    return 0.5 * (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
+  }
+  Vec3 centre(std::size_t triangle) const {
+    const auto& t = triangles[triangle];
+    return (vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) / 3.0;
+  }
+};
+
+}  // namespace restenosis

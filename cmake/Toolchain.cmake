@@ -1,0 +1,21 @@
+# Language level, warnings, optimisation and sanitizers, the same for every component.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# No -ffast-math: results must not depend on how loops were reassociated, and NaN checks must work.
+# -fno-math-errno and -fno-trapping-math let square roots vectorise and change no result.
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -march=native -fno-math-errno
+                    -fno-trapping-math)
+if(RESTENOSIS_WARNINGS_AS_ERRORS)
+  add_compile_options(-Werror)
+endif()
+if(RESTENOSIS_SANITIZE)
+  add_compile_options(-fsanitize=${RESTENOSIS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${RESTENOSIS_SANITIZE})
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")

@@ -1,0 +1,38 @@
+#include "AgentStore.h"
+
+#include <cassert>
+
+namespace restenosis {
+
+Index AgentStore::append(AgentKind newKind, const Vec3& position, double newRadius) {
+  const Index index = size();
+  forEachArray([](auto& values) { values.emplace_back(); });
+  id[index] = nextId++;
+  setPosition(index, position);
+  radius[index] = newRadius;
+  birthRadius[index] = newRadius;
+  kind[index] = newKind;
+  state[index] = CycleState::g0;
+  return index;
+}
+
+void AgentStore::erase(std::span<const std::uint8_t> remove) {
+  assert(remove.size() == size());
+  forEachArray([&](auto& values) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < remove.size(); ++i) {
+      if (!remove[i]) values[kept++] = values[i];
+    }
+    values.resize(kept);
+  });
+}
+
+void AgentStore::reorder(std::span<const Index> order) {
+  assert(order.size() == size());
+  forEachArray([&](auto& values) {
+    auto old = values;
+    for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
+  });
+}
+
+}  // namespace restenosis

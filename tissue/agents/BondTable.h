@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// One end of a bond: the agent at the other end and the distance of centres at which it carries no load.
+struct Bond {
+  Index partner;
+  float restLength;  ///< [m]
+};
+
+/// Bonds between agents, at most twelve an agent (ISR3D). Every bond is stored at both of its ends, and an
+/// agent's bonds are sorted by partner, so that sums over them have one order.
+class BondTable {
+ public:
+  static constexpr std::size_t maxBonds = 12;
+
+  std::span<const Bond> of(Index agent) const { return {bonds_[agent].data(), count_[agent]}; }
+  Index size() const { return static_cast<Index>(count_.size()); }
+  std::size_t bondCount() const;
+
+  /// Makes room for `agents` agents; new ones have no bonds.
+  void resize(Index agents);
+  bool bonded(Index a, Index b) const;
+  /// Bonds a and b unless they are bonded or either has no room left; tells whether it did.
+  bool connect(Index a, Index b, double restLength);
+  void disconnect(Index a, Index b);
+  void disconnectAll(Index agent);
+  /// Follows AgentStore::reorder and AgentStore::erase.
+  void reorder(std::span<const Index> order);
+  void erase(std::span<const std::uint8_t> remove);
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(bonds_, count_);
+  }
+
+ private:
+  void insert(Index agent, Bond bond);
+  void remove(Index agent, Index partner);
+
+  std::vector<std::array<Bond, maxBonds>> bonds_;
+  std::vector<std::uint8_t> count_;
+};
+
+}  // namespace restenosis

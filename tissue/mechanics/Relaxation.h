@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include "AgentStore.h"
+#include "BondTable.h"
+#include "Constraint.h"
+#include "MechanicsParameters.h"
+
+namespace restenosis {
+
+/// What a relaxation did.
+struct RelaxationReport {
+  int iterations = 0;
+  double residual = 0;                  ///< largest force left on a free agent over C r0^2
+  std::uint64_t agentEvaluations = 0;   ///< forces computed, one per agent and iteration
+  bool converged = false;
+};
+
+/// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message names the
+/// settings to change.
+struct RelaxationFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
+/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
+///
+/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved; the rest
+/// are checked before the relaxation ends. Results do not depend on the number of threads.
+class Relaxation {
+ public:
+  /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown law.
+  Relaxation(const MechanicsParameters& parameters, double referenceRadius);
+
+  /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
+  /// AgentStore::pressure of the agents it evaluated.
+  RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
+                         std::span<const Constraint* const> constraints);
+
+  double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
+
+ private:
+  MechanicsParameters parameters_;
+  double referenceRadius_;
+  double characteristicForce_;
+};
+
+}  // namespace restenosis

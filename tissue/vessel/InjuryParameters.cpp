@@ -1,0 +1,53 @@
+#include "InjuryParameters.h"
+
+namespace restenosis {
+
+void InjuryParameters::describe(ParameterVisitor& p) {
+  p.boolean(ielBreaks, {.key = "ielBreaks",
+                        .source = "T6",
+                        .description = "whether bonds of the IEL break past "
+                                       "the strain limits (injury 3 and 4)"});
+  p.quantity(strainLimitAround, {.key = "strainLimitAround",
+                                 .minimum = 0,
+                                 .maximum = 100,
+                                 .source = "ISR2D",
+                                 .description = "strain at which an IEL bond around the vessel breaks"});
+  p.quantity(strainLimitAlong, {.key = "strainLimitAlong",
+                                .minimum = 0,
+                                .maximum = 100,
+                                .source = "ISR2D",
+                                .description = "strain at which an IEL bond along the vessel breaks"});
+  p.quantity(stressLimit,
+             {.key = "stressLimit",
+              .unit = "MPa",
+              .minimum = 0,
+              .maximum = 1000,
+              .source = "assumed",
+              .description = "structural stress past which an IEL agent is no longer IEL; 0: no limit"});
+  p.quantity(fenestrationProbability,
+             {.key = "fenestrationProbability",
+              .minimum = 0,
+              .maximum = 1,
+              .source = "ISR3D",
+              .description = "probability that a stretched IEL agent becomes permeable"});
+  p.quantity(stretchedStrain, {.key = "stretchedStrain",
+                               .minimum = 0,
+                               .maximum = 100,
+                               .source = "assumed",
+                               .description = "bond strain above which the IEL counts as stretched"});
+  p.quantity(syntheticReach, {.key = "syntheticReach",
+                              .minimum = 0,
+                              .maximum = 20,
+                              .source = "assumed",
+                              .description = "cells within this times R1 + R2 of an injured IEL agent become "
+                                             "synthetic"});
+  p.choice(synthetic, {"nearInjury", "all"},
+           {.key = "synthetic", .source = "T6", .description = "which cells may cycle"});
+  p.choice(denudation, {"full", "none"},
+           {.key = "denudation", .source = "T6", .description = "whether deployment strips the endothelium"});
+  p.boolean(removeIel, {.key = "removeIel",
+                        .source = "assumed",
+                        .description = "take the whole IEL away before growth starts"});
+}
+
+}  // namespace restenosis

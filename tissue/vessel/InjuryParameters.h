@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "ParameterVisitor.h"
+
+namespace restenosis {
+
+/// What deployment does to the laminae and which cells become synthetic (model 4).
+struct InjuryParameters {
+  static constexpr std::string_view section = "injury";
+  static constexpr std::string_view summary =
+      "Which lamina agents break or become permeable, which cells become synthetic";
+
+  bool ielBreaks = false;
+  double strainLimitAround = 0.095;
+  double strainLimitAlong = 0.05;
+  double stressLimit = 0.0;  ///< [Pa]; 0: no limit
+  double fenestrationProbability = 0.06;
+  double stretchedStrain = 0.02;  ///< IEL agents with a bond strained more are "in the stretched region"
+  double syntheticReach = 1.5;    ///< SMC within this times R1 + R2 of an injured IEL agent become synthetic
+  std::string synthetic = "nearInjury";  ///< or "all"
+  std::string denudation = "full";       ///< endothelium stripped: "full" or "none"
+  bool removeIel = false;                ///< take the whole IEL away before growth
+
+  void describe(ParameterVisitor& p);
+};
+
+}  // namespace restenosis

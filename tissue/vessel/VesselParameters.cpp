@@ -1,0 +1,84 @@
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+void VesselParameters::describe(ParameterVisitor& p) {
+  p.quantity(length, {.key = "length",
+                      .unit = "mm",
+                      .minimum = 0,
+                      .maximum = 1000,
+                      .minimumAllowed = false,
+                      .required = true,
+                      .source = "T6",
+                      .description = "length of the vessel"});
+  p.quantity(lumenDiameter, {.key = "lumenDiameter",
+                             .unit = "mm",
+                             .minimum = 0,
+                             .maximum = 50,
+                             .minimumAllowed = false,
+                             .required = true,
+                             .source = "T6",
+                             .description = "diameter of the lumen before stenting"});
+  p.quantity(wallThickness, {.key = "wallThickness",
+                             .unit = "mm",
+                             .minimum = 0,
+                             .maximum = 10,
+                             .minimumAllowed = false,
+                             .source = "T6",
+                             .description = "thickness of the wall, IEL and EEL included"});
+  p.quantity(cellRadius, {.key = "cellRadius",
+                          .unit = "um",
+                          .minimum = 1,
+                          .maximum = 200,
+                          .source = "ISR3D",
+                          .description = "mean radius of the wall's agents"});
+  p.quantity(radiusSpread, {.key = "radiusSpread",
+                            .minimum = 0,
+                            .maximum = 0.3,
+                            .source = "assumed",
+                            .description = "standard deviation of the radius over its mean"});
+  p.quantity(packingFraction,
+             {.key = "packingFraction",
+              .minimum = 0.1,
+              .maximum = 0.63,
+              .source = "assumed",
+              .description = "volume of all wall agents over volume of the wall; above 0.63 the "
+                             "packing jams and pushes cells through the laminae"});
+  p.quantity(laminaCoverage, {.key = "laminaCoverage",
+                              .minimum = 0.1,
+                              .maximum = 0.85,
+                              .source = "assumed",
+                              .description = "area of a lamina's agents over the area of the lamina"});
+  p.quantity(bondRange,
+             {.key = "bondRange",
+              .minimum = 0,
+              .maximum = 1.5,
+              .source = "assumed",
+              .description = "agents nearer than this times R1 + R2 are bonded in the packed wall; "
+                             "0 makes no bonds"});
+  p.quantity(stenosis,
+             {.key = "stenosis",
+              .minimum = 0,
+              .maximum = 0.99,
+              .source = "assumed",
+              .description = "share of the lumen diameter taken away half way along, cosine-shaped; "
+                             "only in scenes without tissue"});
+  p.quantity(stenosisLength, {.key = "stenosisLength",
+                              .unit = "mm",
+                              .minimum = 0,
+                              .maximum = 1000,
+                              .minimumAllowed = false,
+                              .source = "assumed",
+                              .description = "length of the stenosis"});
+  p.file(agents,
+         {.key = "agents",
+          .source = "none",
+          .description = "CSV table of agents (x, y, z, radius in um; kind) to load instead of packing"});
+  p.file(lumenSurface, {.key = "lumenSurface",
+                        .source = "none",
+                        .description = "STL of the lumen to use instead of a cylinder"});
+  p.choice(lumenSurfaceUnit, {"m", "mm", "um"},
+           {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
+}
+
+}  // namespace restenosis
