@@ -20,7 +20,7 @@ struct AgentTableError : std::runtime_error {
 /// unknown kind, or a table without agents.
 AgentStore readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
-/// Writes a table that readAgentTable reads back without loss. Throws AgentTableError if it cannot be
+/// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be
 /// written.
 void writeAgentTable(const std::filesystem::path& file, const AgentStore& agents);
 
