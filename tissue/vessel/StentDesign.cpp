@@ -1,10 +1,10 @@
 #include "StentDesign.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <stdexcept>
+#include <string>
 
 namespace restenosis {
 
@@ -29,8 +29,11 @@ const StentDesign& stentDesign(std::string_view name) {
   for (const StentDesign& design : stentDesigns()) {
     if (design.name == name) return design;
   }
-  throw std::invalid_argument(
-      fmt::format("unknown stent design '{}'; allowed are {}", name, fmt::join(stentDesignNames(), ", ")));
+  std::string allowed;
+  for (const StentDesign& design : stentDesigns()) {
+    allowed.append(allowed.empty() ? "" : ", ").append(design.name);
+  }
+  throw std::invalid_argument(fmt::format("unknown stent design '{}'; allowed are {}", name, allowed));
 }
 
 }  // namespace restenosis

@@ -27,6 +27,12 @@ void fixEnds(Wall& wall, double radii) {
   }
 }
 
+void fixOuterLamina(Wall& wall) {
+  for (Index i = 0; i < wall.agents.size(); ++i) {
+    if (wall.agents.kind[i] == AgentKind::eel) wall.agents.set(i, fixed, true);
+  }
+}
+
 void orderInSpace(Wall& wall) {
   AgentStore& agents = wall.agents;
   if (agents.size() == 0) return;

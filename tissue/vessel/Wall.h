@@ -35,6 +35,9 @@ inline Wall emptyWall(const VesselParameters& vessel) {
 /// Flags agents whose centres lie within `radii` mean cell radii of an end as fixed, all others as free.
 void fixEnds(Wall& wall, double radii);
 
+/// Flags every EEL agent as fixed (model 2: the tissue outside is stiff); the ends keep their flags.
+void fixOuterLamina(Wall& wall);
+
 /// Orders agents along a space-filling (Morton) curve of cells of four radii, bonds included, so that
 /// neighbours in space are neighbours in memory. Ids stay.
 void orderInSpace(Wall& wall);
