@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "Cylindrical.h"
 
@@ -25,7 +26,9 @@ double signedDistance(const StrutSegment& segment, const Vec3& point) {
 
   const Vec3 along = length > 0 ? Vec3((segment.b - segment.a) / length) : Vec3(Vec3::UnitZ());
   const Vec3 across = along.cross(segment.radial);
-  const double s = std::abs(offset.dot(along)) - (length / 2 + segment.overlap);
+  const double place = offset.dot(along);
+  double s = std::abs(place) - (length / 2 + segment.overlap);
+  if (s < 0 && !(place > 0 ? segment.openB : segment.openA)) s = -std::numeric_limits<double>::infinity();
   const double w = std::abs(offset.dot(across)), h = std::abs(offset.dot(segment.radial));
   if (segment.round) {
     const double section = ellipseDistance(w, h, halfWidth, halfThickness);

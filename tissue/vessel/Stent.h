@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "AgentStore.h"
@@ -16,12 +17,16 @@ struct StrutSegment {
   double thickness;    ///< extent along `radial` [m]
   bool round;          ///< elliptic instead of rectangular cross-section
   double overlap = 0;  ///< the flat ends lie this far beyond a and b, so that a chain has no notches [m]
+  bool openA = true;   ///< whether the strut ends at a; where it goes on the end is no surface
+  bool openB = true;   ///< the same at b
 
   double length() const { return (b - a).norm(); }
 };
 
 /// Signed distance from a point to a strut segment [m], negative inside. Exact for boxes and for circular
-/// sections; for elliptic sections right to first order near the surface.
+/// sections; for elliptic sections right to first order near the surface. Inside, an end where the strut goes
+/// on does not count, so that the least distance over a chain is that of the chain, without dips at its
+/// joints.
 double signedDistance(const StrutSegment& segment, const Vec3& point);
 
 /// An obstacle sphere of a strut, in the coordinates of its segment, so that it follows the segment.

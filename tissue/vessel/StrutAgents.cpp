@@ -75,18 +75,15 @@ std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segme
   for (std::size_t n = 0; n < segments.size(); ++n) {
     const StrutSegment& segment = segments[n];
     const double radius = std::min({cellRadius, segment.width / 2, segment.thickness / 2});
-    const auto joined = [&](const Vec3& p, const Vec3& q) { return (p - q).norm() < 1e-3 * radius; };
-    const bool openStart = n == 0 || !joined(segments[n - 1].b, segment.a);
-    const bool openEnd = n + 1 == segments.size() || !joined(segments[n + 1].a, segment.b);
     const int count = std::max(1, static_cast<int>(std::ceil(segment.length() / radius - 1e-9)));
     for (int k = 0; k < count; ++k) {
-      const bool filled = (k == 0 && openStart) || (k + 1 == count && openEnd);
-      for (const auto& [across, outward] : sectionPoints(segment, radius, filled)) {
-        spheres.push_back({.segment = n,
-                           .along = (k + 0.5) / count,
-                           .across = across,
-                           .outward = outward,
-                           .radius = radius});
+      const bool atA = k == 0 && segment.openA, atB = k + 1 == count && segment.openB;
+      // Flush with an open end, as far as the segment is long enough.
+      const double flush = segment.length() > 0 ? std::min(radius / segment.length(), 0.5) : 0.5;
+      const double along = atA ? flush : atB ? 1 - flush : (k + 0.5) / count;
+      for (const auto& [across, outward] : sectionPoints(segment, radius, atA || atB)) {
+        spheres.push_back(
+            {.segment = n, .along = along, .across = across, .outward = outward, .radius = radius});
       }
     }
   }

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double largestSagitta = 0.1e-6;  // [m]
 
-/// How far the ends of two segments that turn by the angle between `before` and `after` must overlap.
+/// How far the ends of two segments that turn by the angle between `before` and `after` must overlap; a
+/// little even when straight, so that rounding opens no gap.
 double overlapAt(const Vec3& before, const Vec3& after, double extent) {
   const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
-  return std::min(0.5 * extent * std::tan(std::min(turn, 2.0) / 2), 0.5 * extent);
+  return extent * std::clamp(0.5 * std::tan(std::min(turn, 2.0) / 2), 0.005, 0.5);
 }
 
 }  // namespace
@@ -42,10 +43,12 @@ void appendChain(std::vector<StrutSegment>& segments, std::span<const SurfacePoi
     return segment.b - segment.a;
   };
   for (std::size_t n = 0; n < count; ++n) {
-    double& overlap = segments[first + n].overlap;
-    if (closed || n + 1 < count) overlap = overlapAt(direction(n), direction(n + 1), extent);
-    if (closed || n > 0) {
-      overlap = std::max(overlap, overlapAt(direction(n + count - 1), direction(n), extent));
+    StrutSegment& segment = segments[first + n];
+    segment.openA = !closed && n == 0;
+    segment.openB = !closed && n + 1 == count;
+    if (!segment.openA) segment.overlap = overlapAt(direction(n + count - 1), direction(n), extent);
+    if (!segment.openB) {
+      segment.overlap = std::max(segment.overlap, overlapAt(direction(n), direction(n + 1), extent));
     }
   }
 }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "AgentCounts.h"
 #include "AgentTable.h"
 #include "StentDesign.h"
-#include "WallPacking.h"
 
 namespace restenosis {
 namespace {

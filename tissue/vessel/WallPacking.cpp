@@ -1,7 +1,5 @@
 #include "WallPacking.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,11 +16,6 @@ namespace restenosis {
 namespace {
 
 constexpr double radiusCut = 3;  // standard deviations
-
-double ielRadius(const VesselParameters& vessel) { return vessel.lumenDiameter / 2 + vessel.cellRadius; }
-double eelRadius(const VesselParameters& vessel) {
-  return vessel.lumenDiameter / 2 + vessel.wallThickness - vessel.cellRadius;
-}
 
 double drawRadius(const VesselParameters& vessel, AgentId id, std::uint64_t seed) {
   if (vessel.radiusSpread == 0) return vessel.cellRadius;
@@ -55,31 +48,6 @@ Index countExpelled(const Wall& wall) {
 }
 
 }  // namespace
-
-AgentCounts countAgents(const VesselParameters& vessel) {
-  using std::numbers::pi;
-  const double r = vessel.cellRadius, spread2 = vessel.radiusSpread * vessel.radiusSpread;
-  const double inner = vessel.lumenDiameter / 2, outer = inner + vessel.wallThickness;
-  const double meanVolume = 4.0 / 3.0 * pi * r * r * r * (1 + 3 * spread2);
-  const double meanDisc = pi * r * r * (1 + spread2);
-  const double total =
-      vessel.packingFraction * pi * (outer * outer - inner * inner) * vessel.length / meanVolume;
-  const auto onLamina = [&](double radius) {
-    return static_cast<Index>(
-        std::lround(vessel.laminaCoverage * 2 * pi * radius * vessel.length / meanDisc));
-  };
-  AgentCounts counts{.iel = onLamina(ielRadius(vessel)), .eel = onLamina(eelRadius(vessel))};
-  const double smc = std::round(total) - counts.iel - counts.eel;
-  if (smc < 0 || eelRadius(vessel) - ielRadius(vessel) < 2 * r) {
-    throw std::invalid_argument(
-        fmt::format("a wall of {:.4g} um has no room for cells of radius {:.4g} um between its laminae: make "
-                    "vessel.wallThickness or vessel.packingFraction larger, or vessel.cellRadius or "
-                    "vessel.laminaCoverage smaller",
-                    vessel.wallThickness * 1e6, r * 1e6));
-  }
-  counts.smc = static_cast<Index>(smc);
-  return counts;
-}
 
 Wall scatterWall(const VesselParameters& vessel, std::uint64_t seed) {
   const AgentCounts counts = countAgents(vessel);

@@ -2,22 +2,13 @@
 
 #include <cstdint>
 
+#include "AgentCounts.h"
 #include "MechanicsParameters.h"
 #include "Relaxation.h"
 #include "VesselParameters.h"
 #include "Wall.h"
 
 namespace restenosis {
-
-/// How many agents a wall has (model 2): all of them from the packing fraction, laminae from their coverage.
-struct AgentCounts {
-  Index iel = 0, eel = 0, smc = 0;
-  Index total() const { return iel + eel + smc; }
-};
-
-/// Counts for a vessel; throws std::invalid_argument when the laminae alone are more than the packing
-/// fraction allows, naming the parameters to change.
-AgentCounts countAgents(const VesselParameters& vessel);
 
 /// Places the agents of a wall at random, no two nearer than a share of the sum of their radii (a Poisson
 /// disc): the IEL one cell radius outside the lumen, the EEL one inside the wall's outer face, cells between
