@@ -65,7 +65,6 @@ vtkNew<vtkPolyData> tube(const TriSurface& lumen, const std::vector<std::size_t>
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
   vtkNew<vtkCellArray> polygons;
-  polygons->Use32BitStorage();
   for (const auto t : triangles) {
     polygons->InsertNextCell(3);
     for (const auto vertex : lumen.triangles[t]) {

@@ -11,7 +11,8 @@ class vtkPolyData;
 namespace restenosis {
 
 /// Writes a .vtp file, binary and compressed, atomically. `time` [s] goes in as TimeValue, in days.
-/// Throws WriteFailed.
+/// Throws WriteFailed. Leave the cells in VTK's default 64-bit storage: read back from 32-bit storage they
+/// crash VTK 9.1's cell-to-point filter.
 void writePolyData(const std::filesystem::path& file, vtkPolyData* data, double time);
 
 /// Adds an array of n scalars, or of n vectors when `components` is 3: component c of entry i is get(i, c).

@@ -34,7 +34,6 @@ void writeTissue(const std::filesystem::path& file, const AgentStore& agents, do
   points->SetDataTypeToFloat();
   points->SetNumberOfPoints(n);
   vtkNew<vtkCellArray> vertices;
-  vertices->Use32BitStorage();
   vertices->AllocateExact(n, n);
   for (Index i = 0; i < n; ++i) {
     points->SetPoint(i, agents.x[i], agents.y[i], agents.z[i]);
