@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "AtomicFile.h"
 #include "Checkpoint.h"
@@ -108,6 +111,24 @@ TEST(Checkpoint, KeepsTheFormerOneWhenTheDiskIsFull) {
     EXPECT_THROW(checkpoint.save("scene", std::string(1 << 20, 'y')), WriteFailed);
   }
   EXPECT_EQ(checkpoint.load("scene"), state);
+}
+
+TEST(Checkpoint, IsWholeAfterAKillAtAnyMoment) {
+  TemporaryFolder folder;
+  const Checkpoint checkpoint(folder.path());
+  checkpoint.save("scene", std::string(100000, '0'));
+  for (int kill = 0; kill < 10; ++kill) {
+    const pid_t writer = ::fork();
+    if (writer == 0) {
+      for (char content = 'a';; content = content == 'z' ? 'a' : static_cast<char>(content + 1))
+        checkpoint.save("scene", std::string(100000, content));
+    }
+    ::usleep(3000 + 1700 * kill);
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    const auto loaded = checkpoint.load("scene");
+    ASSERT_EQ(loaded, std::string(100000, loaded.at(0)));
+  }
 }
 
 }  // namespace
