@@ -2,10 +2,12 @@
 
 #include <numbers>
 
+#include "FlowBackendNames.h"
+
 namespace restenosis {
 
 void FlowParameters::describe(ParameterVisitor& p) {
-  p.choice(backend, {"foam", "analytic", "none"},
+  p.choice(backend, flowBackendNames::all(),
            {.key = "backend",
             .source = "model 8",
             .description = "OpenFOAM, Poiseuille from the local radius, or no flow"});

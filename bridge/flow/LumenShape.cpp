@@ -1,0 +1,130 @@
+#include "LumenShape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+/// Largest departure of an end from its plane, over its distance from the axis origin or its size.
+constexpr double planarity = 1e-6;
+
+void requireFinite(const TriSurface& lumen) {
+  if (lumen.triangles.empty()) throw std::invalid_argument("the lumen surface has no triangles");
+  if (lumen.region.size() != lumen.triangles.size())
+    throw std::invalid_argument(fmt::format("the lumen surface has {} triangles but {} regions",
+                                            lumen.triangles.size(), lumen.region.size()));
+  for (const Vec3& v : lumen.vertices)
+    if (!v.allFinite()) throw std::invalid_argument("the lumen surface has a vertex that is not a number");
+  for (const auto& t : lumen.triangles)
+    if (*std::max_element(t.begin(), t.end()) >= lumen.vertices.size())
+      throw std::invalid_argument("a triangle of the lumen surface names a vertex that does not exist");
+}
+
+void requireClosed(const TriSurface& lumen) {
+  struct Edge {
+    std::uint32_t low, high;
+    int direction;
+    bool operator<(const Edge& o) const { return low != o.low ? low < o.low : high < o.high; }
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * lumen.triangles.size());
+  for (const auto& t : lumen.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const auto a = t[k], b = t[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    int balance = 0;
+    std::size_t j = i;
+    for (; j < edges.size() && !(edges[i] < edges[j]); ++j) balance += edges[j].direction;
+    if (balance != 0 || (j - i) % 2 != 0) ++open;
+    i = j;
+  }
+  if (open > 0)
+    throw std::invalid_argument(fmt::format(
+        "the lumen surface is not closed: {} edges belong to one triangle only or to two of opposite "
+        "orientation",
+        open));
+}
+
+}  // namespace
+
+void requireLumen(const TriSurface& lumen) {
+  requireFinite(lumen);
+  requireClosed(lumen);
+  if (!(enclosedVolume(lumen) > 0.0))
+    throw std::invalid_argument("the normals of the lumen surface point into the lumen");
+  if (!(lumenEnd(lumen, SurfaceRegion::inlet).z < lumenEnd(lumen, SurfaceRegion::outlet).z))
+    throw std::invalid_argument("the inlet of the lumen surface must lie below its outlet on the z axis");
+}
+
+LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end) {
+  const char* name = end == SurfaceRegion::inlet ? "inlet" : "outlet";
+  LumenEnd result{0.0, 0.0, Vec3::Zero()};
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    if (lumen.region[i] != end) continue;
+    const double area = lumen.areaVector(i).norm();
+    result.area += area;
+    result.centre += area * lumen.centre(i);
+    for (const auto v : lumen.triangles[i]) {
+      lowest = std::min(lowest, lumen.vertices[v].z());
+      highest = std::max(highest, lumen.vertices[v].z());
+    }
+  }
+  if (!(result.area > 0.0)) throw std::invalid_argument(fmt::format("the lumen surface has no {}", name));
+  if (highest - lowest > planarity * std::sqrt(result.area))
+    throw std::invalid_argument(
+        fmt::format("the {} of the lumen surface is not a plane of constant z: it spans {} "
+                    "to {} m",
+                    name, lowest, highest));
+  result.centre /= result.area;
+  result.z = 0.5 * (lowest + highest);
+  return result;
+}
+
+double enclosedVolume(const TriSurface& lumen) {
+  // Divergence theorem about the first vertex, which keeps the cancellation small far from the origin
+  const Vec3 origin = lumen.vertices.front();
+  double volume = 0.0;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i)
+    volume += (lumen.vertices[lumen.triangles[i][0]] - origin).dot(lumen.areaVector(i)) / 3.0;
+  return volume;
+}
+
+std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations) {
+  std::vector<double> areas(stations.size(), 0.0);
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    const auto& t = lumen.triangles[i];
+    const Vec3 outward = lumen.areaVector(i);
+    const double low =
+        std::min({lumen.vertices[t[0]].z(), lumen.vertices[t[1]].z(), lumen.vertices[t[2]].z()});
+    const double high =
+        std::max({lumen.vertices[t[0]].z(), lumen.vertices[t[1]].z(), lumen.vertices[t[2]].z()});
+    for (std::size_t s = 0; s < stations.size(); ++s) {
+      const double z = stations[s];
+      if (z < low || z > high) continue;
+      Vec3 cut[2];
+      int count = 0;
+      for (int k = 0; k < 3 && count < 2; ++k) {
+        const Vec3 &a = lumen.vertices[t[k]], &b = lumen.vertices[t[(k + 1) % 3]];
+        // A vertex in the plane counts as above it, so that the contour closes
+        if ((a.z() >= z) == (b.z() >= z)) continue;
+        cut[count++] = a + (z - a.z()) / (b.z() - a.z()) * (b - a);
+      }
+      if (count < 2) continue;
+      const double turn = cut[0].x() * cut[1].y() - cut[1].x() * cut[0].y();
+      const bool counterclockwise = (cut[1] - cut[0]).dot(Vec3::UnitZ().cross(outward)) >= 0.0;
+      areas[s] += counterclockwise ? 0.5 * turn : -0.5 * turn;
+    }
+  }
+  return areas;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "TriSurface.h"
+
+namespace restenosis {
+
+/// A planar end of a lumen, a plane of constant z.
+struct LumenEnd {
+  double z;     ///< [m]
+  double area;  ///< [m^2]
+  Vec3 centre;  ///< centroid of the end [m]
+};
+
+/// Throws std::invalid_argument, saying what is wrong, unless the surface can be meshed: finite vertices,
+/// every edge shared by two triangles in opposite directions, normals outwards, two ends that are planes of
+/// constant z, the inlet below the outlet.
+void requireLumen(const TriSurface& lumen);
+
+/// The end that carries this region (inlet or outlet). Throws std::invalid_argument where there is none or it
+/// is no plane of constant z.
+LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end);
+
+/// Volume enclosed by a closed surface with outward normals [m^3].
+double enclosedVolume(const TriSurface& lumen);
+
+/// Area of the lumen [m^2] in each plane z = stations[i] [m]: the signed area of the contour in which the
+/// plane cuts the surface, so islands count negative.
+std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations);
+
+}  // namespace restenosis

@@ -1,0 +1,89 @@
+#include "AnalyticBackend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "FlowBackendNames.h"
+#include "LumenShape.h"
+
+namespace restenosis {
+namespace {
+
+using std::numbers::pi;
+
+/// Radius of the circle with the cross-section's area, along the vessel.
+class RadiusProfile {
+ public:
+  RadiusProfile(const TriSurface& lumen, int stations) {
+    const double inlet = lumenEnd(lumen, SurfaceRegion::inlet).z;
+    const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet;
+    spacing_ = length / stations;
+    first_ = inlet + 0.5 * spacing_;
+    std::vector<double> z(stations);
+    for (int i = 0; i < stations; ++i) z[i] = first_ + i * spacing_;
+    const auto areas = crossSectionAreas(lumen, z);
+    for (int i = 0; i < stations; ++i) {
+      if (!(areas[i] > 0.0))
+        throw FlowFailed(fmt::format("analytic flow: the lumen is closed at z = {:.4g} mm", z[i] * 1e3), {});
+      radii_.push_back(std::sqrt(areas[i] / pi));
+    }
+  }
+  double operator()(double z) const {
+    const double last = static_cast<double>(radii_.size() - 1);
+    const double x = std::clamp((z - first_) / spacing_, 0.0, last);
+    const auto i = std::min(static_cast<std::size_t>(x), radii_.size() - 2);
+    const double f = x - static_cast<double>(i);
+    return (1.0 - f) * radii_[i] + f * radii_[i + 1];
+  }
+  const std::vector<double>& radii() const { return radii_; }
+  double spacing() const { return spacing_; }
+
+ private:
+  double first_ = 0.0, spacing_ = 0.0;
+  std::vector<double> radii_;
+};
+
+/// The direction of the axis in a face's plane; zero for a face across the axis.
+Vec3 alongAxis(const Vec3& unitNormal) {
+  const Vec3 tangent = Vec3::UnitZ() - unitNormal.z() * unitNormal;
+  const double length = tangent.norm();
+  return length > 1e-9 ? Vec3(tangent / length) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+std::string_view AnalyticBackend::name() const { return flowBackendNames::analytic; }
+
+FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowConditions& conditions,
+                                    const std::filesystem::path&) {
+  try {
+    requireLumen(lumen);
+  } catch (const std::invalid_argument& error) {
+    throw FlowFailed(fmt::format("analytic flow: {}", error.what()), {});
+  }
+  const RadiusProfile profile(lumen, stations_);
+  const double mu = conditions.dynamicViscosity();
+  const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
+
+  FlowSolution solution;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
+    const Vec3 areaVector = lumen.areaVector(i);
+    const double area = areaVector.norm();
+    if (!(area > 0.0)) continue;
+    const double radius = profile(lumen.centre(i).z());
+    const double stress = fixedFlow ? 4.0 * mu * conditions.flowRate / (pi * radius * radius * radius)
+                                    : 0.5 * radius * conditions.pressureGradient;
+    solution.wall.push_back({lumen.centre(i), area, stress * alongAxis(areaVector / area), lumen.region[i]});
+  }
+  for (const double radius : profile.radii())
+    solution.pressureDrop +=
+        profile.spacing() * (fixedFlow ? 8.0 * mu * conditions.flowRate / (pi * std::pow(radius, 4))
+                                       : conditions.pressureGradient);
+  return solution;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "FlowBackend.h"
+
+namespace restenosis {
+
+/// Poiseuille flow from the local radius R = sqrt(A / pi), with A the area of the lumen's cross-section
+/// through each face: tau = 4 mu Q / (pi R^3) for a given flow rate, tau = R / 2 * (-dp/dz) for a given
+/// pressure gradient. Along the axis, in the plane of the face. Knows no recirculation: faces of any
+/// inclination carry the traction of their cross-section. Writes no files.
+class AnalyticBackend : public FlowBackend {
+ public:
+  /// @param stations number of cross-sections, evenly spaced, between which the area is interpolated; > 1
+  explicit AnalyticBackend(int stations = 400) : stations_(stations) {}
+  std::string_view name() const override;
+  FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
+                     const std::filesystem::path& caseFolder) override;
+
+ private:
+  int stations_;
+};
+
+}  // namespace restenosis

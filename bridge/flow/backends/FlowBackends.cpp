@@ -1,0 +1,34 @@
+#include "FlowBackends.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "AnalyticBackend.h"
+#include "FlowBackendNames.h"
+#include "FoamBackend.h"
+
+namespace restenosis {
+
+const std::vector<FlowBackendEntry>& flowBackends() {
+  static const std::vector<FlowBackendEntry> table = {
+      {flowBackendNames::foam,
+       [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
+         return std::make_unique<FoamBackend>(FoamSettings::forFidelity(options.fidelity));
+       }},
+      {flowBackendNames::analytic,
+       [](const FlowBackendOptions&) -> std::unique_ptr<FlowBackend> {
+         return std::make_unique<AnalyticBackend>();
+       }},
+  };
+  return table;
+}
+
+std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBackendOptions& options) {
+  if (name == flowBackendNames::none) return nullptr;
+  for (const auto& entry : flowBackends())
+    if (entry.name == name) return entry.make(options);
+  throw std::invalid_argument(fmt::format("there is no flow backend '{}'; valid names: {}", name,
+                                          fmt::join(flowBackendNames::all(), ", ")));
+}
+
+}  // namespace restenosis

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "FlowBackend.h"
+
+namespace restenosis {
+
+/// What a backend may need beside the surface and the conditions.
+struct FlowBackendOptions {
+  std::string fidelity = "standard";  ///< draft, standard or reference
+};
+
+/// The backends, each made by its name.
+struct FlowBackendEntry {
+  std::string_view name;
+  std::unique_ptr<FlowBackend> (*make)(const FlowBackendOptions& options);
+};
+
+/// The table of all backends; a new one is a line here and a name in FlowBackendNames.h.
+const std::vector<FlowBackendEntry>& flowBackends();
+
+/// The backend of this name; null for "none". Throws std::invalid_argument, with the valid names, for others.
+std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBackendOptions& options);
+
+}  // namespace restenosis

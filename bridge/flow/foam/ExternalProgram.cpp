@@ -1,0 +1,178 @@
+#include "ExternalProgram.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace restenosis {
+namespace {
+
+std::filesystem::path findOnPath(const std::string& program) {
+  const char* variable = std::getenv("PATH");
+  std::istringstream folders(variable ? variable : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const auto candidate = std::filesystem::path(folder.empty() ? "." : folder) / program;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0)
+      return std::filesystem::absolute(candidate);
+  }
+  throw ProgramMissing(program);
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  void close() {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+  }
+
+ private:
+  int fd_;
+};
+
+/// A child process; killed and waited for unless `wait` has returned.
+class Child {
+ public:
+  explicit Child(pid_t pid) : pid_(pid) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    wait();
+  }
+  int wait() {
+    int status = 0;
+    while (waitpid(pid_, &status, 0) < 0)
+      if (errno != EINTR)
+        throw std::runtime_error(fmt::format("waiting for a program: {}", std::strerror(errno)));
+    pid_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t pid_;
+};
+
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
+  std::vector<char*> result;
+  for (const auto& s : strings) result.push_back(const_cast<char*>(s.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+std::vector<std::string> mergedEnvironment(const std::map<std::string, std::string>& changes) {
+  std::vector<std::string> result;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry;
+    if (!changes.contains(text.substr(0, text.find('=')))) result.push_back(text);
+  }
+  for (const auto& [key, value] : changes) result.push_back(key + "=" + value);
+  return result;
+}
+
+/// What the new process does before it becomes the program; only async-signal-safe calls, since other threads
+/// of this program may hold locks. On failure the errno goes to `report`.
+[[noreturn]] void becomeProgram(const char* program, char* const* arguments, char* const* environment,
+                                const char* folder, int input, int output, int report, pid_t parent) {
+  const auto fail = [report] {
+    const int error = errno;
+    [[maybe_unused]] const auto written = write(report, &error, sizeof error);
+    _exit(127);
+  };
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) fail();
+  if (getppid() != parent) _exit(127);  // the parent died before the line above
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  if (chdir(folder) != 0) fail();
+  if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0)
+    fail();
+  execve(program, arguments, environment);
+  fail();
+  _exit(127);
+}
+
+}  // namespace
+
+ProgramMissing::ProgramMissing(const std::string& programName)
+    : std::runtime_error(fmt::format("the program '{}' is not on the PATH", programName)),
+      program(programName) {}
+
+bool ProgramExit::interrupted() const { return signal == SIGINT || signal == SIGTERM || signal == SIGHUP; }
+
+std::string ProgramExit::describe() const {
+  return signal ? fmt::format("signal {} ({})", signal, strsignal(signal))
+                : fmt::format("exit status {}", status);
+}
+
+ExternalProgram::ExternalProgram(const std::string& program) : path_(findOnPath(program)) {}
+
+ExternalProgram& ExternalProgram::setEnvironment(const std::string& variable, const std::string& value) {
+  environment_[variable] = value;
+  return *this;
+}
+
+ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
+                                 const std::filesystem::path& folder,
+                                 const std::filesystem::path& log) const {
+  const auto start = std::chrono::steady_clock::now();
+  const Descriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (output.get() < 0)
+    throw std::runtime_error(fmt::format("cannot write {}: {}", log.string(), std::strerror(errno)));
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
+  const Descriptor reportIn(ends[0]);
+  Descriptor reportOut(ends[1]);
+
+  std::vector<std::string> words = {path_.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const auto argv = pointers(words);
+  const auto environment = mergedEnvironment(environment_);
+  const auto envp = pointers(environment);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid < 0)
+    throw std::runtime_error(fmt::format("cannot start {}: {}", path_.string(), std::strerror(errno)));
+  if (pid == 0)
+    becomeProgram(path_.c_str(), argv.data(), envp.data(), folder.c_str(), input.get(), output.get(),
+                  reportOut.get(), parent);
+  Child child(pid);
+  reportOut.close();
+
+  // The pipe closes without a word when the program has been started
+  int error = 0;
+  ssize_t got;
+  while ((got = read(reportIn.get(), &error, sizeof error)) < 0 && errno == EINTR) {
+  }
+  if (got > 0)
+    throw std::runtime_error(
+        fmt::format("cannot start {} in {}: {}", path_.string(), folder.string(), std::strerror(error)));
+
+  const int status = child.wait();
+  ProgramExit result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (WIFSIGNALED(status))
+    result.signal = WTERMSIG(status);
+  else
+    result.status = WEXITSTATUS(status);
+  return result;
+}
+
+}  // namespace restenosis

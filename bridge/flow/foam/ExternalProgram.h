@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace restenosis {
+
+/// A program that is not on the PATH.
+struct ProgramMissing : std::runtime_error {
+  explicit ProgramMissing(const std::string& programName);
+  std::string program;
+};
+
+/// How a program ended.
+struct ProgramExit {
+  int status = 0;        ///< exit status; meaningless when a signal ended the program
+  int signal = 0;        ///< the signal that ended it, 0 for none
+  double seconds = 0.0;  ///< wall clock
+  bool succeeded() const { return signal == 0 && status == 0; }
+  /// The user or the system asked for the end (SIGINT, SIGTERM, SIGHUP), so trying again would be wrong.
+  bool interrupted() const;
+  /// "exit status 1", "signal 9 (Killed)".
+  std::string describe() const;
+};
+
+/// Another program, run as a process without a shell. It dies with this program, and is killed and waited for
+/// when an exception leaves `run`.
+class ExternalProgram {
+ public:
+  /// Finds the program on the PATH. Throws ProgramMissing.
+  explicit ExternalProgram(const std::string& program);
+
+  /// Adds or replaces a variable of the program's environment, the rest of which is this program's.
+  ExternalProgram& setEnvironment(const std::string& variable, const std::string& value);
+
+  /// Runs it in `folder`, standard output and error going to `log` (replaced), standard input empty, and
+  /// waits for its end. Throws std::runtime_error where it cannot be started.
+  ProgramExit run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                  const std::filesystem::path& log) const;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::map<std::string, std::string> environment_;
+};
+
+}  // namespace restenosis

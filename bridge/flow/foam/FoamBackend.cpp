@@ -1,0 +1,95 @@
+#include "FoamBackend.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "FlowBackendNames.h"
+#include "FoamLog.h"
+#include "FoamRun.h"
+#include "FoamTemplate.h"
+#include "LumenCase.h"
+#include "LumenStl.h"
+
+namespace restenosis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Cells by which the wall overshoots the planes of the ends.
+constexpr double overshootCells = 2.0;
+
+void writeText(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+/// A fresh case folder for one attempt; the logs of an earlier one are kept.
+void prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
+             const FlowConditions& conditions, const FoamSettings& settings, Effort effort) {
+  std::vector<std::pair<fs::path, std::string>> kept;
+  if (effort == Effort::robust)
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().filename().string().starts_with("log."))
+        kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
+  copyFoamTemplate(foamTemplate(), folder);
+  if (!kept.empty()) fs::create_directories(folder / "firstAttempt");
+  for (const auto& [name, text] : kept) writeText(folder / "firstAttempt" / name, text);
+
+  const auto file = folder / "system/lumenParameters";
+  DictionaryText parameters(foamLog::read(file));
+  writeLumenParameters(parameters, lumen, conditions, settings, effort);
+  writeText(file, parameters.text());
+  writeLumenStl(surface, overshootCells * settings.cellSize, folder / "constant/triSurface/lumen.stl");
+  writeText(folder / "case.foam", "");
+}
+
+FlowSolution attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
+                     const FlowConditions& conditions, const FoamSettings& settings, Effort effort) {
+  try {
+    prepare(folder, surface, lumen, conditions, settings, effort);
+    FoamRun run(folder, lumen, conditions, settings);
+    run.mesh();
+    run.solve();
+    return run.result();
+  } catch (const FlowFailed&) {
+    throw;
+  } catch (const std::exception& error) {  // files that cannot be written or copied
+    throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
+  }
+}
+
+}  // namespace
+
+std::string_view FoamBackend::name() const { return flowBackendNames::foam; }
+
+FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& conditions,
+                                const fs::path& caseFolder) {
+  LumenCase shape;
+  try {
+    shape = measureLumen(lumen, settings_);
+  } catch (const std::invalid_argument& error) {
+    throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
+  }
+  const fs::path folder = fs::absolute(caseFolder);
+  try {
+    return attempt(folder, lumen, shape, conditions, settings_, Effort::normal);
+  } catch (const FoamStepFailed& first) {
+    try {
+      FlowSolution solution = attempt(folder, lumen, shape, conditions, settings_, Effort::robust);
+      solution.remarks.push_back(fmt::format(
+          "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
+          first.what()));
+      return solution;
+    } catch (const FoamStepFailed& second) {
+      throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
+                                   second.what(), first.what()),
+                       second.log);
+    }
+  }
+}
+
+}  // namespace restenosis

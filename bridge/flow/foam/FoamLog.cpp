@@ -1,0 +1,99 @@
+#include "FoamLog.h"
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+namespace restenosis::foamLog {
+namespace {
+
+/// The rest of the first line that contains `words`, after them.
+std::optional<std::string> after(const std::string& text, std::string_view words) {
+  const auto at = text.find(words);
+  if (at == std::string::npos) return std::nullopt;
+  const auto start = at + words.size();
+  return text.substr(start, std::min(text.find('\n', start), text.size()) - start);
+}
+
+}  // namespace
+
+std::string read(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::optional<std::string> meshingProblem(const std::string& snappyLog) {
+  if (snappyLog.find("Finished meshing without any errors") != std::string::npos) return std::nullopt;
+  if (const auto rest = after(snappyLog, "Finished meshing with ")) return "finished meshing with " + *rest;
+  return "did not finish meshing";
+}
+
+MeshReport meshReport(const std::string& checkMeshLog) {
+  MeshReport report;
+  report.ok = checkMeshLog.find("\nMesh OK.") != std::string::npos;
+  if (const auto cells = after(checkMeshLog, "    cells: ")) std::istringstream(*cells) >> report.cells;
+  if (const auto volume = after(checkMeshLog, "Total volume = "))
+    std::istringstream(*volume) >> report.volume;
+  if (report.ok) return report;
+  std::istringstream lines(checkMeshLog);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(" ***")) report.problem += (report.problem.empty() ? "" : "; ") + line.substr(4);
+  if (report.problem.empty()) report.problem = "did not report \"Mesh OK\"";
+  return report;
+}
+
+std::optional<int> convergedAfter(const std::string& solverLog) {
+  const auto rest = after(solverLog, "SIMPLE solution converged in ");
+  int iterations = 0;
+  if (!rest || !(std::istringstream(*rest) >> iterations)) return std::nullopt;
+  return iterations;
+}
+
+std::optional<std::string> fatalError(const std::string& log) {
+  const auto at = log.find("FOAM FATAL");
+  if (at == std::string::npos) {
+    if (log.find("Foam::sigFpe::sigHandler") != std::string::npos) return "floating point exception";
+    return std::nullopt;
+  }
+  std::istringstream lines(log.substr(log.find('\n', at) + 1));
+  std::string reason;
+  for (std::string line; std::getline(lines, line) && reason.size() < 300;) {
+    const auto start = line.find_first_not_of(" \t");
+    if (start == std::string::npos) {
+      if (!reason.empty()) break;
+      continue;
+    }
+    reason += (reason.empty() ? "" : " ") + line.substr(start);
+  }
+  return reason;
+}
+
+std::map<std::string, std::size_t> patchFaces(const std::string& boundaryFile) {
+  static const std::regex patch(R"((\w+)\s*\{[^}]*nFaces\s+(\d+);)");
+  std::map<std::string, std::size_t> faces;
+  for (std::sregex_iterator it(boundaryFile.begin(), boundaryFile.end(), patch), end; it != end; ++it)
+    faces[(*it)[1]] = std::stoul((*it)[2]);
+  return faces;
+}
+
+std::optional<double> lastValue(const std::string& table) {
+  std::istringstream lines(table);
+  std::optional<double> value;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    double time = 0.0;
+    std::string number;
+    value.reset();
+    if (words >> time >> number) {
+      try {
+        value = std::stod(number);
+      } catch (const std::exception&) {
+      }
+    }
+  }
+  return value;
+}
+
+}  // namespace restenosis::foamLog

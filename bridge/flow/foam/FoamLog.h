@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace restenosis {
+
+/// What the logs and small files of an OpenFOAM case say. OpenFOAM's programs end with status 0 in many cases
+/// that went wrong, so what counts is what they report. Functions return nothing where a report is absent.
+namespace foamLog {
+
+/// The whole file; empty where it cannot be read.
+std::string read(const std::filesystem::path& file);
+
+/// Whether snappyHexMesh reports "Finished meshing without any errors". Otherwise says what it reported.
+std::optional<std::string> meshingProblem(const std::string& snappyLog);
+
+struct MeshReport {
+  bool ok = false;  ///< "Mesh OK."
+  std::size_t cells = 0;
+  double volume = 0.0;  ///< [case length unit^3]
+  std::string problem;  ///< the checks that failed, where not ok
+};
+MeshReport meshReport(const std::string& checkMeshLog);
+
+/// Iterations after which "SIMPLE solution converged".
+std::optional<int> convergedAfter(const std::string& solverLog);
+
+/// The reason of a fatal error, on one line, where the log has one.
+std::optional<std::string> fatalError(const std::string& log);
+
+/// Faces of each patch, from constant/polyMesh/boundary.
+std::map<std::string, std::size_t> patchFaces(const std::string& boundaryFile);
+
+/// The last value of a surfaceFieldValue.dat.
+std::optional<double> lastValue(const std::string& table);
+
+}  // namespace foamLog
+}  // namespace restenosis

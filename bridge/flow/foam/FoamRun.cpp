@@ -1,0 +1,134 @@
+#include "FoamRun.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "ExternalProgram.h"
+#include "FoamLog.h"
+#include "WallPatch.h"
+
+namespace restenosis {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr double cubicMillimetre = 1e-9;  // [m^3], also [m^3/s] for mm^3/s
+constexpr double squareMillimetre = 1e-6;
+}  // namespace
+
+FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& conditions,
+                 const FoamSettings& settings)
+    : folder_(std::move(folder)), lumen_(lumen), conditions_(conditions), settings_(settings) {}
+
+void FoamRun::fail(const std::string& program, const std::string& reason) const {
+  throw FoamStepFailed(fmt::format("{}: {} (see {})", program, reason, log(program).string()), log(program));
+}
+
+void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments) {
+  ProgramExit exit;
+  try {
+    ExternalProgram external(program);
+    if (!std::getenv("WM_PROJECT_DIR")) external.setEnvironment("WM_PROJECT_DIR", "/usr/share/openfoam");
+    exit = external.run(arguments, folder_, log(program));
+  } catch (const ProgramMissing&) {
+    throw FlowFailed(
+        fmt::format("the OpenFOAM program '{}' is not on the PATH; it is part of the Debian package "
+                    "'openfoam' (apt install openfoam)",
+                    program),
+        {});
+  } catch (const std::runtime_error& error) {
+    throw FlowFailed(fmt::format("{}: {}", program, error.what()), log(program));
+  }
+  (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) += exit.seconds;
+  if (exit.interrupted())
+    throw FlowFailed(fmt::format("{} was interrupted: {}", program, exit.describe()), log(program));
+  if (exit.succeeded()) return;
+  const auto reason = foamLog::fatalError(foamLog::read(log(program)));
+  fail(program, reason ? fmt::format("{}: {}", exit.describe(), *reason) : exit.describe());
+}
+
+void FoamRun::mesh() {
+  run("blockMesh", {});
+  run("snappyHexMesh", {"-overwrite"});
+  if (const auto problem = foamLog::meshingProblem(foamLog::read(log("snappyHexMesh"))))
+    fail("snappyHexMesh", *problem);
+  checkPatches();
+  run("checkMesh", {});
+  const auto report = foamLog::meshReport(foamLog::read(log("checkMesh")));
+  const double volume = report.volume * cubicMillimetre;
+  if (!(std::abs(volume - lumen_.volume) <= settings_.volumeTolerance * lumen_.volume))
+    fail("checkMesh",
+         fmt::format(
+             "the mesh's volume of {:.5g} mm^3 is not the surface's of {:.5g} mm^3: part of the lumen is "
+             "cut off, or the surface leaks",
+             volume / cubicMillimetre, lumen_.volume / cubicMillimetre));
+  if (!report.ok) fail("checkMesh", report.problem);
+  solution_.cells = report.cells;
+}
+
+void FoamRun::checkPatches() {
+  auto faces = foamLog::patchFaces(foamLog::read(folder_ / "constant/polyMesh/boundary"));
+  if (faces["sides"] > 0)
+    fail("snappyHexMesh",
+         fmt::format("the lumen surface leaks: {} faces of the mesh lie outside of it", faces["sides"]));
+  if (faces["outlet"] == 0 || faces["inlet"] == 0)
+    throw FlowFailed(
+        fmt::format("snappyHexMesh: the mesh does not reach the {}: the lumen is closed (occluded) "
+                    "(see {})",
+                    faces["outlet"] == 0 ? "outlet" : "inlet", log("snappyHexMesh").string()),
+        log("snappyHexMesh"));
+  if (faces["wall"] == 0) fail("snappyHexMesh", "the mesh has no faces on the wall");
+  if (lumen_.hasStruts() && faces["strut"] == 0) fail("snappyHexMesh", "the mesh has no faces on the struts");
+}
+
+void FoamRun::solve() {
+  fs::remove_all(folder_ / "postProcessing");
+  fs::remove_all(folder_ / "0");
+  fs::copy(folder_ / "0.orig", folder_ / "0", fs::copy_options::recursive);
+  run("simpleFoam", {});
+  const auto iterations = foamLog::convergedAfter(foamLog::read(log("simpleFoam")));
+  if (!iterations) fail("simpleFoam", "the solution has not converged within the iterations allowed");
+  solution_.iterations = *iterations;
+  checkFlow();
+  readWall();
+}
+
+double FoamRun::reported(const std::string& function) const {
+  const auto file = folder_ / "postProcessing" / function / "0/surfaceFieldValue.dat";
+  const auto value = foamLog::lastValue(foamLog::read(file));
+  if (!value || !std::isfinite(*value))
+    fail("simpleFoam", fmt::format("no valid number in {}", file.string()));
+  return *value;
+}
+
+void FoamRun::checkFlow() {
+  const double in = -reported("inletFlow") * cubicMillimetre, out = reported("outletFlow") * cubicMillimetre;
+  if (!(in > 0.0)) fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
+  solution_.massImbalance = std::abs(out - in) / in;
+  if (!(solution_.massImbalance <= settings_.massTolerance))
+    fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in but {:.4g} out", in, out));
+  if (conditions_.drive == FlowConditions::Drive::flowRate &&
+      !(std::abs(in - conditions_.flowRate) <= settings_.massTolerance * conditions_.flowRate))
+    fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in instead of {:.4g}", in, conditions_.flowRate));
+  solution_.pressureDrop =
+      (reported("inletPressure") - reported("outletPressure")) * conditions_.density * squareMillimetre;
+  if (!(solution_.pressureDrop > 0.0))
+    fail("simpleFoam",
+         fmt::format("the pressure rises along the flow, by {:.4g} Pa", -solution_.pressureDrop));
+}
+
+void FoamRun::readWall() {
+  const auto samples =
+      folder_ / "postProcessing/surface" / std::to_string(solution_.iterations);  // none of another iteration
+  try {
+    appendWallPatch(samples / "wall.vtp", SurfaceRegion::wall, conditions_.density, solution_.wall);
+    if (lumen_.hasStruts())
+      appendWallPatch(samples / "strut.vtp", SurfaceRegion::strut, conditions_.density, solution_.wall);
+  } catch (const std::runtime_error& error) {
+    fail("simpleFoam", error.what());
+  }
+}
+
+}  // namespace restenosis

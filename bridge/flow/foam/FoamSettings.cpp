@@ -1,0 +1,94 @@
+#include "FoamSettings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+struct Level {
+  std::string_view fidelity;
+  double cellSize;  // [m]
+  int wallLevel, strutLevel;
+};
+
+/// Cell sizes at core, wall and strut: 90, 45, 22.5; 60, 30, 15; 45, 22.5, 11.25 um.
+constexpr std::array levels = {Level{"draft", 90e-6, 1, 2}, Level{"standard", 60e-6, 1, 2},
+                               Level{"reference", 45e-6, 1, 2}};
+
+}  // namespace
+
+void FoamSettings::describe(ParameterVisitor& p) {
+  p.quantity(cellSize, {.key = "cellSize",
+                        .unit = "um",
+                        .minimum = 0,
+                        .maximum = 10000,
+                        .minimumAllowed = false,
+                        .source = "assumed",
+                        .description = "cell size in the core of the lumen"});
+  p.integer(wallLevel, {.key = "wallLevel",
+                        .minimum = 0,
+                        .maximum = 8,
+                        .source = "assumed",
+                        .description = "how often cells are halved at the wall"});
+  p.integer(strutLevel, {.key = "strutLevel",
+                         .minimum = 0,
+                         .maximum = 8,
+                         .source = "assumed",
+                         .description = "how often cells are halved at struts"});
+  p.quantity(tolerance, {.key = "tolerance",
+                         .minimum = 0,
+                         .maximum = 1,
+                         .minimumAllowed = false,
+                         .source = "assumed",
+                         .description = "residual of U and p at which the solution counts as converged"});
+  p.integer(iterations, {.key = "iterations",
+                         .minimum = 1,
+                         .source = "assumed",
+                         .description = "most iterations at a fixed flow rate"});
+  p.integer(pressureDrivenIterations, {.key = "pressureDrivenIterations",
+                                       .minimum = 1,
+                                       .source = "assumed",
+                                       .description = "most iterations at a fixed pressure gradient"});
+  p.quantity(relaxation, {.key = "relaxation",
+                          .minimum = 0,
+                          .maximum = 1,
+                          .minimumAllowed = false,
+                          .source = "assumed",
+                          .description = "relaxation factor of U; the steady state depends on it a little"});
+  p.quantity(volumeTolerance, {.key = "volumeTolerance",
+                               .minimum = 0,
+                               .maximum = 1,
+                               .source = "assumed",
+                               .description = "largest relative difference of mesh and surface volume"});
+  p.quantity(massTolerance, {.key = "massTolerance",
+                             .minimum = 0,
+                             .maximum = 1,
+                             .source = "assumed",
+                             .description = "largest relative error of the flow rates at the ends"});
+  p.quantity(maximumCells, {.key = "maximumCells",
+                            .minimum = 1,
+                            .source = "assumed",
+                            .description = "estimated number of cells above which meshing is refused"});
+  p.quantity(minimumCellsAcross, {.key = "minimumCellsAcross",
+                                  .minimum = 1,
+                                  .source = "assumed",
+                                  .description = "fewest core cells across the inlet"});
+}
+
+FoamSettings FoamSettings::forFidelity(std::string_view fidelity) {
+  for (const Level& level : levels)
+    if (level.fidelity == fidelity) {
+      FoamSettings settings;
+      settings.cellSize = level.cellSize;
+      settings.wallLevel = level.wallLevel;
+      settings.strutLevel = level.strutLevel;
+      return settings;
+    }
+  throw std::invalid_argument(
+      fmt::format("there is no fidelity '{}'; valid names: draft, standard, reference", fidelity));
+}
+
+}  // namespace restenosis

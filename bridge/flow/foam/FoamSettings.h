@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "ParameterVisitor.h"
+
+namespace restenosis {
+
+/// How finely and how exactly the OpenFOAM backend works.
+struct FoamSettings {
+  static constexpr std::string_view section = "foam";
+  static constexpr std::string_view summary = "Mesh and solver settings of the OpenFOAM backend";
+
+  double cellSize = 60e-6;                       ///< cell size in the core of the lumen [m]
+  std::int64_t wallLevel = 1;                    ///< the cell size at the wall is cellSize / 2^level
+  std::int64_t strutLevel = 2;                   ///< the same at struts
+  double tolerance = 1e-3;                       ///< residual at which the solution counts as converged
+  std::int64_t iterations = 400;                 ///< most iterations at a fixed flow rate
+  std::int64_t pressureDrivenIterations = 4000;  ///< the same at a fixed pressure gradient
+  double relaxation = 0.8;                       ///< of U
+  double volumeTolerance = 0.02;                 ///< mesh volume against the surface's volume
+  double massTolerance = 1e-3;    ///< outflow against inflow, and inflow against the flow rate asked for
+  double maximumCells = 6e6;      ///< estimate above which meshing is refused
+  double minimumCellsAcross = 8;  ///< fewest core cells across the inlet
+
+  void describe(ParameterVisitor& p);
+  /// The settings of a fidelity level: draft, standard or reference. Throws std::invalid_argument for others.
+  static FoamSettings forFidelity(std::string_view fidelity);
+};
+
+}  // namespace restenosis

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+namespace restenosis {
+
+/// The folder of the OpenFOAM case template: $RESTENOSIS_FOAM_CASE where set, else
+/// share/restenosisFoam/foamCase beside the installed program, else foamCase in the source tree the program
+/// was built from. Throws std::runtime_error, naming the folders tried, where none holds a template.
+std::filesystem::path foamTemplate();
+
+/// Copies the template into an empty or new folder: 0.orig, constant, system and the scripts, nothing that a
+/// run by hand has left there. A folder that holds an earlier case is emptied first. Throws
+/// std::runtime_error where it holds anything else.
+void copyFoamTemplate(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace restenosis

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "DictionaryText.h"
+#include "FlowBackend.h"
+#include "FoamSettings.h"
+#include "LumenShape.h"
+
+namespace restenosis {
+
+/// The lumen as the OpenFOAM case needs it, in SI units.
+struct LumenCase {
+  LumenEnd inlet, outlet;
+  Vec3 low, high;       ///< bounding box
+  double volume = 0.0;  ///< enclosed by the surface [m^3]
+  double wallArea = 0.0, strutArea = 0.0;
+  bool hasStruts() const { return strutArea > 0.0; }
+  double length() const { return outlet.z - inlet.z; }
+};
+
+/// Measures a lumen. Throws std::invalid_argument where the surface cannot be meshed (see requireLumen), or
+/// where its size does not go with the cell sizes: too few cells across the inlet or too many in all, as
+/// after a mistaken unit.
+LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings);
+
+/// How hard the mesher and the solver try.
+enum class Effort { normal, robust };
+
+/// Writes the case's numbers into its dictionary (system/lumenParameters; mm and s).
+void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
+                          const FlowConditions& conditions, const FoamSettings& settings, Effort effort);
+
+}  // namespace restenosis
