@@ -69,7 +69,7 @@ TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
     for (std::size_t m = from; m < std::min(segment + 4, stent.segments.size()); ++m) {
       nearest = std::min(nearest, signedDistance(stent.segments[m], centre));
     }
-    ASSERT_LT(nearest, -stent.spheres[n].radius + 1.5e-6);
+    ASSERT_LT(nearest, -stent.spheres[n].radius + 2.1e-6);
   }
   // No place on the outer face is further from the next sphere than a cell could slip into: half the face
   // diagonal of spacing r from the nearest centre in the plane one radius below.

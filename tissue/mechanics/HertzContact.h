@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "Lanes.h"
+
 namespace restenosis {
 
 /// Hertz repulsion of two elastic spheres (T6): F = 4/3 E* sqrt(R) d^(3/2) [N], F > 0 repels, with overlap
@@ -10,7 +12,8 @@ namespace restenosis {
 /// spheres.
 ///
 /// A contact law has these functions of the overlap d >= 0 [m] and the reduced radius R > 0 [m]; an object of
-/// it holds the material.
+/// it holds the material. `Real` is double, or a small array of doubles on which the functions work element
+/// by element.
 class HertzContact {
  public:
   static constexpr std::string_view name = "hertz";
@@ -18,10 +21,13 @@ class HertzContact {
   /// `modulus`: C [Pa], > 0.
   explicit HertzContact(double modulus) : effectiveModulus_(6 * modulus) {}
 
-  /// [N]
-  double force(double d, double R) const { return 4.0 / 3.0 * effectiveModulus_ * std::sqrt(R * d) * d; }
-  /// dF/dd [N/m]
-  double stiffness(double d, double R) const { return 2 * effectiveModulus_ * std::sqrt(R * d); }
+  /// Sets the force [N] and its slope dF/dd [N/m].
+  template <int n>
+  void evaluate(const Numbers<n>& d, const Numbers<n>& R, Numbers<n>& force, Numbers<n>& stiffness) const {
+    const Numbers<n> a = (R * d).sqrt();
+    force = (4.0 / 3.0 * effectiveModulus_) * a * d;
+    stiffness = (2 * effectiveModulus_) * a;
+  }
   /// Integral of F from 0 to d [J]
   double energy(double d, double R) const {
     return 8.0 / 15.0 * effectiveModulus_ * std::sqrt(R * d) * d * d;

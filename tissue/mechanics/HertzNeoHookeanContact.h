@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "Lanes.h"
+
 namespace restenosis {
 
 /// Hertz-neo-Hookean repulsion (T6): the contact disc of Hertz, radius a = sqrt(R d), carries the stress of a
@@ -24,45 +26,38 @@ class HertzNeoHookeanContact {
   /// `modulus`: C [Pa], > 0.
   explicit HertzNeoHookeanContact(double modulus) : modulus_(modulus) {}
 
-  /// [N]
-  double force(double d, double R) const {
-    const double e = strain(d, R);
-    if (e <= largestStrain) return forceOfStrain(e, R);
-    return forceOfStrain(largestStrain, R) + slopeOfStrain(largestStrain, R) * (d - validOverlap(R));
-  }
-  /// dF/dd [N/m]
-  double stiffness(double d, double R) const {
-    return slopeOfStrain(std::fmin(strain(d, R), largestStrain), R);
+  /// Sets the force [N] and its slope dF/dd [N/m].
+  template <int n>
+  void evaluate(const Numbers<n>& d, const Numbers<n>& R, Numbers<n>& force, Numbers<n>& stiffness) const {
+    const Numbers<n> e = (strainFactor * (d / R).sqrt()).min(largestStrain);
+    const Numbers<n> past = (d - overlapOfStrain * largestStrain * largestStrain * R).max(0.0);
+    const Numbers<n> inverse = 1.0 / (1.0 - e);
+    const Numbers<n> inverse2 = inverse * inverse;
+    stiffness = (std::numbers::pi * modulus_) * R * e * (9.0 - e * (15.0 - e * (11.0 - 3.0 * e))) * inverse2 *
+                inverse;
+    // 2 pi C a^2 (l^-2 - l) with a = 3 pi R e / 4 and l^-2 - l = e (3 - 3e + e^2) / l^2, free of
+    // cancellation.
+    force = (2 * std::numbers::pi * overlapOfStrain * modulus_) * R * R * e * e * e * (3.0 - e * (3.0 - e)) *
+                inverse2 +
+            stiffness * past;
   }
   /// Integral of F from 0 to d [J]
   double energy(double d, double R) const {
-    const double e = strain(d, R);
-    if (e <= largestStrain) return energyOfStrain(e, R);
     const double past = d - validOverlap(R);
-    return energyOfStrain(largestStrain, R) +
-           past * (forceOfStrain(largestStrain, R) + 0.5 * past * slopeOfStrain(largestStrain, R));
+    if (past <= 0) return energyOfStrain(strainFactor * std::sqrt(d / R), R);
+    const double force = forceOf(*this, validOverlap(R), R),
+                 stiffness = stiffnessOf(*this, validOverlap(R), R);
+    return energyOfStrain(largestStrain, R) + past * (force + 0.5 * past * stiffness);
   }
   /// Overlap at which the continuation begins [m].
-  static double validOverlap(double R) {
-    return 9 * std::numbers::pi * std::numbers::pi / 16 * R * largestStrain * largestStrain;
-  }
+  static double validOverlap(double R) { return overlapOfStrain * R * largestStrain * largestStrain; }
 
  private:
-  static double strain(double d, double R) { return 4 / (3 * std::numbers::pi) * std::sqrt(d / R); }
+  static constexpr double pi2 = std::numbers::pi * std::numbers::pi;
+  static constexpr double strainFactor = 4 / (3 * std::numbers::pi);  ///< e = strainFactor sqrt(d / R)
+  static constexpr double overlapOfStrain = 9 * pi2 / 16;             ///< d = overlapOfStrain R e^2
 
-  /// 2 pi C a^2 (l^-2 - l) with a = 3 pi R e / 4 and l^-2 - l = e (3 - 3e + e^2) / l^2, free of cancellation.
-  double forceOfStrain(double e, double R) const {
-    constexpr double factor = 9 * std::numbers::pi * std::numbers::pi * std::numbers::pi / 8;
-    const double l = 1 - e;
-    return factor * modulus_ * R * R * e * e * e * (3 - e * (3 - e)) / (l * l);
-  }
-  /// dF/dd = (dF/de) / (dd/de) with d = 9 pi^2 R e^2 / 16.
-  double slopeOfStrain(double e, double R) const {
-    const double l = 1 - e;
-    return std::numbers::pi * modulus_ * R * e * (9 - e * (15 - e * (11 - 3 * e))) / (l * l * l);
-  }
   double energyOfStrain(double e, double R) const {
-    constexpr double pi2 = std::numbers::pi * std::numbers::pi;
     constexpr double factor = 81 * pi2 * pi2 * std::numbers::pi / 64;
     return factor * modulus_ * R * R * R * energyIntegral(e);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -7,88 +8,165 @@
 #include "Chunks.h"
 #include "Cohesion.h"
 #include "ContactLaws.h"
+#include "Lanes.h"
 
 namespace restenosis {
 
-/// Unit vector from `other` to `self` and their distance. Centres that coincide are told apart by index, the
-/// lower one being pushed along a fixed direction and the higher against it, so that action still equals
-/// reaction.
-struct Branch {
-  Branch(const Sphere& self, const Sphere& other, bool selfIsLower)
-      : x(self.x - other.x),
-        y(self.y - other.y),
-        z(self.z - other.z),
-        distance(std::sqrt(x * x + y * y + z * z)) {
-    if (distance > 0) {
-      const double inverse = 1 / distance;
-      x *= inverse, y *= inverse, z *= inverse;
-    } else {
-      const double component = (selfIsLower ? 1 : -1) / std::numbers::sqrt3;
-      x = y = z = component;
+/// Pairs of one agent that act on each other, collected for computing them in groups.
+class PairBatch {
+ public:
+  static constexpr int capacity = 64;
+
+  bool full() const { return count_ == capacity; }
+  bool empty() const { return count_ == 0; }
+  int count() const { return count_; }
+
+  /// Takes a pair if `acts`. (dx, dy, dz): from the other agent to this one; `a`, `b`: what the force depends
+  /// on besides the distance. Centres that coincide are told apart by `lower`, true for the agent of lower
+  /// index: it is pushed along a fixed direction and the other against it, so that action equals reaction.
+  void add(bool acts, double dx, double dy, double dz, double distance2, double a, double b, bool lower) {
+    if (acts && distance2 == 0) [[unlikely]] {
+      dx = dy = dz = (lower ? 1 : -1) * coincident;
+      distance2 = 3 * coincident * coincident;
     }
+    dx_[count_] = dx, dy_[count_] = dy, dz_[count_] = dz;
+    distance2_[count_] = distance2, a_[count_] = a, b_[count_] = b;
+    count_ += acts;
   }
-  double x, y, z, distance;
+
+  /// Computes all pairs with law(distance, dz, a, b, push, stiffness), push > 0 repelling, adds them to
+  /// `load` in the order they came, and empties the batch. Until the sum is complete, load.pressure is the
+  /// sum of push x distance.
+  template <class Law>
+  void flush(AgentLoad& load, Law&& law) {
+    // The lanes that fill the last group repeat its first pair.
+    const int first = count_ / laneCount * laneCount;
+    for (int k = count_; k % laneCount != 0; ++k) {
+      dx_[k] = dx_[first], dy_[k] = dy_[first], dz_[k] = dz_[first];
+      distance2_[k] = distance2_[first], a_[k] = a_[first], b_[k] = b_[first];
+    }
+    for (int k = 0; k < count_; k += laneCount) {
+      const Lanes distance = lanes(distance2_, k).sqrt();
+      Lanes push, stiffness;
+      law(distance, Lanes(lanes(dz_, k)), Lanes(lanes(a_, k)), Lanes(lanes(b_, k)), push, stiffness);
+      lanes(a_, k) = push / distance;
+      lanes(b_, k) = stiffness;
+    }
+    for (int k = 0; k < count_; ++k) {
+      load.fx += a_[k] * dx_[k];
+      load.fy += a_[k] * dy_[k];
+      load.fz += a_[k] * dz_[k];
+      load.pressure += a_[k] * distance2_[k];
+      load.stiffness += b_[k];
+    }
+    count_ = 0;
+  }
+
+ private:
+  // Distance that coinciding centres are taken to have, over sqrt(3) [m]: far below any radius, far above
+  // underflow.
+  static constexpr double coincident = 1e-20;
+
+  using Column = std::array<double, capacity + laneCount>;
+  static auto lanes(Column& column, int k) { return Eigen::Map<Lanes>(column.data() + k); }
+
+  Column dx_, dy_, dz_, distance2_, a_, b_;
+  int count_ = 0;
 };
 
-/// Adds the pair forces on an agent.
-struct LoadSum {
-  AgentLoad load;
+/// The force loop for one contact law: contacts over the neighbours, cohesion over the neighbours, then
+/// bonds.
+template <class Law>
+class PairForces {
+ public:
+  explicit PairForces(const ForceInput& in)
+      : in_(in),
+        law_(in.parameters.contactModulus),
+        cohesion_{in.parameters.cohesionModulus, in.parameters.cohesionRange},
+        attraction_{in.parameters.bondModulus, in.parameters.bondAxialFactor} {}
 
-  /// `push` > 0 repels.
-  void add(const Branch& branch, double push, double stiffness) {
-    load.fx += push * branch.x;
-    load.fy += push * branch.y;
-    load.fz += push * branch.z;
-    load.pressure += push * branch.distance;
-    load.stiffness += stiffness;
+  AgentLoad of(Index i) const {
+    const Sphere self = in_.spheres[i];
+    AgentLoad load;
+    addContacts(i, self, load);
+    addCohesion(i, self, load);
+    addBonds(i, self, load);
+    load.pressure /= 8 * std::numbers::pi * self.r * self.r * self.r;  // 2 (halves) x 3 (trace) x V
+    return load;
   }
-  /// Turns the sum of push x distance into the pressure.
-  AgentLoad of(double radius) const {
-    AgentLoad result = load;
-    result.pressure /= 8 * std::numbers::pi * radius * radius * radius;  // 2 (halves) x 3 (trace) x V
-    return result;
+
+ private:
+  void addContacts(Index i, const Sphere& self, AgentLoad& load) const {
+    const auto contact = [this](const Lanes& distance, const Lanes&, const Lanes& sum, const Lanes& product,
+                                Lanes& push, Lanes& stiffness) {
+      // Rounding of the distance can make the overlap of a pair that just touches negative.
+      law_.evaluate(Lanes((sum - distance).max(0.0)), Lanes(product / sum), push, stiffness);
+    };
+    PairBatch batch;
+    for (const Index j : in_.neighbours.of(i)) {
+      const Sphere& other = in_.spheres[j];
+      const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
+      const double sum = self.r + other.r, distance2 = dx * dx + dy * dy + dz * dz;
+      batch.add(distance2 < sum * sum, dx, dy, dz, distance2, sum, self.r * other.r, i < j);
+      if (batch.full()) batch.flush(load, contact);
+    }
+    batch.flush(load, contact);
   }
+
+  void addCohesion(Index i, const Sphere& self, AgentLoad& load) const {
+    if (cohesion_.modulus == 0) return;
+    const bool daughter = in_.flags[i] & AgentFlag::daughter;
+    const auto cohesion = [this](const Lanes& distance, const Lanes&, const Lanes& sum, const Lanes&,
+                                 Lanes& push, Lanes& stiffness) {
+      for (int k = 0; k < laneCount; ++k) {
+        push[k] = -cohesion_.pull(distance[k] - sum[k], sum[k]);
+        stiffness[k] = cohesion_.stiffness(sum[k]);
+      }
+    };
+    PairBatch batch;
+    for (const Index j : in_.neighbours.of(i)) {
+      if (!daughter && !(in_.flags[j] & AgentFlag::daughter)) continue;
+      const Sphere& other = in_.spheres[j];
+      const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
+      const double sum = self.r + other.r, end = cohesion_.range * sum,
+                   distance2 = dx * dx + dy * dy + dz * dz;
+      batch.add(distance2 > sum * sum && distance2 < end * end, dx, dy, dz, distance2, sum, 0, i < j);
+      if (batch.full()) batch.flush(load, cohesion);
+    }
+    batch.flush(load, cohesion);
+  }
+
+  void addBonds(Index i, const Sphere& self, AgentLoad& load) const {
+    if (attraction_.modulus == 0) return;
+    const auto bond = [this](const Lanes& distance, const Lanes& dz, const Lanes& rest, const Lanes& sum,
+                             Lanes& push, Lanes& stiffness) {
+      for (int k = 0; k < laneCount; ++k) {
+        const double cosine = dz[k] / distance[k];
+        push[k] = -attraction_.pull(distance[k], rest[k], sum[k], cosine * cosine);
+        stiffness[k] = attraction_.stiffness(rest[k], sum[k], cosine * cosine);
+      }
+    };
+    PairBatch batch;
+    for (const Bond& b : in_.bonds.of(i)) {
+      const Sphere& other = in_.spheres[b.partner];
+      const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
+      const double rest = b.restLength, distance2 = dx * dx + dy * dy + dz * dz;
+      batch.add(distance2 > rest * rest, dx, dy, dz, distance2, rest, self.r + other.r, i < b.partner);
+    }
+    batch.flush(load, bond);
+  }
+
+  const ForceInput& in_;
+  Law law_;
+  Cohesion cohesion_;
+  BondAttraction attraction_;
 };
 
-/// The force loop for one contact law: contacts and cohesion over the neighbours, then bonds.
+/// Sets load[i] for every i in `subset`.
 template <class Law>
 void evaluatePairs(const ForceInput& in, std::span<const Index> subset, std::span<AgentLoad> load) {
-  const auto& p = in.parameters;
-  const Law law(p.contactModulus);
-  const Cohesion cohesion{p.cohesionModulus, p.cohesionRange};
-  const BondAttraction attraction{p.bondModulus, p.bondAxialFactor};
-
-  forEachInChunks(subset.size(), [&](std::size_t k) {
-    const Index i = subset[k];
-    const Sphere self = in.spheres[i];
-    const bool daughter = in.flags[i] & AgentFlag::daughter;
-    LoadSum sum;
-    for (const Index j : in.neighbours.of(i)) {
-      const Sphere& other = in.spheres[j];
-      const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
-      const double radii = self.r + other.r;
-      const double distance2 = dx * dx + dy * dy + dz * dz;
-      if (distance2 < radii * radii) {
-        const Branch branch(self, other, i < j);
-        const double overlap = radii - branch.distance;
-        if (overlap <= 0) continue;
-        const double reduced = self.r * other.r / radii;
-        sum.add(branch, law.force(overlap, reduced), law.stiffness(overlap, reduced));
-      } else if (daughter || (in.flags[j] & AgentFlag::daughter)) {
-        const Branch branch(self, other, i < j);
-        const double pull = cohesion.pull(branch.distance - radii, radii);
-        if (pull > 0) sum.add(branch, -pull, cohesion.stiffness(radii));
-      }
-    }
-    for (const Bond& bond : in.bonds.of(i)) {
-      const Sphere& other = in.spheres[bond.partner];
-      const Branch branch(self, other, i < bond.partner);
-      const double radii = self.r + other.r, rest = bond.restLength;
-      const double pull = attraction.pull(branch.distance, rest, radii, branch.z * branch.z);
-      if (pull > 0) sum.add(branch, -pull, attraction.stiffness(rest, radii, branch.z * branch.z));
-    }
-    load[i] = sum.of(self.r);
-  });
+  const PairForces<Law> forces(in);
+  forEachInChunks(subset.size(), [&](std::size_t k) { load[subset[k]] = forces.of(subset[k]); });
 }
 
 }  // namespace restenosis

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "Cylindrical.h"
-#include "PointGrid.h"
+#include "NeighbourQuery.h"
 #include "RadiusMap.h"
 #include "StrutFootprint.h"
 
@@ -44,15 +44,13 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
 void measureOverlap(const Wall& wall, DeploymentStatistics& result) {
   const AgentStore& agents = wall.agents;
   if (agents.size() == 0) return;
-  const double largest = *std::ranges::max_element(agents.radius);
-  const PointGrid grid(agents, 2 * largest);
+  const CellGrid grid(agents, 2 * NeighbourQuery::largestRadius(agents));
+  NeighbourQuery query(agents, grid);
   for (Index i = 0; i < agents.size(); ++i) {
     if (agents.kind[i] == AgentKind::strut) continue;
-    grid.visit(agents.position(i), agents.radius[i] + largest, [&](Index j, double squared) {
-      if (j == i) return true;
-      const double overlap = agents.radius[i] + agents.radius[j] - std::sqrt(squared);
+    query.forEachNeighbour(i, 1, [&](Index j, double distance) {
+      const double overlap = agents.radius[i] + agents.radius[j] - distance;
       result.largestOverlap = std::max(result.largestOverlap, overlap / wall.cellRadius);
-      return true;
     });
   }
 }

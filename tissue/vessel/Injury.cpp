@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "Cylindrical.h"
-#include "PointGrid.h"
+#include "NeighbourQuery.h"
 #include "RandomStream.h"
 
 namespace restenosis {
@@ -117,8 +117,8 @@ class Injurer {
   /// Cells become synthetic within reach of injured agents, and of the whole IEL where it is to be removed.
   void makeNeighboursSynthetic() {
     const bool everyCell = parameters_.synthetic == "all";
-    const double largest = agents_.size() ? *std::ranges::max_element(agents_.radius) : 1.0;
-    const PointGrid grid(agents_, std::max(2 * parameters_.syntheticReach, 1.0) * largest);
+    const CellGrid grid(agents_, 2 * std::max(parameters_.syntheticReach, 1.0) * wall_.cellRadius);
+    NeighbourQuery query(agents_, grid);
     const auto becomeSynthetic = [&](Index i) {
       if (agents_.kind[i] == AgentKind::smc && !agents_.has(i, fixed)) agents_.set(i, synthetic, true);
     };
@@ -126,12 +126,7 @@ class Injurer {
       if (injured_[i] || everyCell) becomeSynthetic(i);
       const bool leaves = parameters_.removeIel && agents_.kind[i] == AgentKind::iel;
       if (!injured_[i] && !leaves) continue;
-      const double widest = parameters_.syntheticReach * (agents_.radius[i] + largest);
-      grid.visit(agents_.position(i), widest, [&](Index j, double squared) {
-        const double reach = parameters_.syntheticReach * (agents_.radius[i] + agents_.radius[j]);
-        if (squared < reach * reach) becomeSynthetic(j);
-        return true;
-      });
+      query.forEachNeighbour(i, parameters_.syntheticReach, [&](Index j, double) { becomeSynthetic(j); });
     }
   }
 

@@ -3,22 +3,6 @@
 #include <stdexcept>
 
 namespace restenosis {
-namespace {
-
-Vec3 lowest(const AgentStore& agents) {
-  Vec3 low = agents.size() ? agents.position(0) : Vec3::Zero();
-  for (Index i = 0; i < agents.size(); ++i) low = low.cwiseMin(agents.position(i));
-  return low;
-}
-
-Vec3 highest(const AgentStore& agents) {
-  Vec3 high = agents.size() ? agents.position(0) : Vec3::Zero();
-  for (Index i = 0; i < agents.size(); ++i) high = high.cwiseMax(agents.position(i));
-  return high;
-}
-
-}  // namespace
-
 PointGrid::PointGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
   // Beyond this many cells along an axis memory would go to empty cells; clamped cells stay correct.
   constexpr double mostCells = 1024;
@@ -30,12 +14,6 @@ PointGrid::PointGrid(const Vec3& low, const Vec3& high, double cell) : low_(low)
     cells *= static_cast<std::size_t>(count_[axis]);
   }
   first_.assign(cells, none);
-}
-
-PointGrid::PointGrid(const AgentStore& agents, double cell)
-    : PointGrid(lowest(agents), highest(agents), cell) {
-  entries_.reserve(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) insert(i, agents.position(i));
 }
 
 void PointGrid::insert(Index name, const Vec3& point) {

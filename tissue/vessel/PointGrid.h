@@ -15,8 +15,6 @@ class PointGrid {
  public:
   /// `low` and `high` bound the points [m]; `cell` is the edge of a cell [m], best about the usual reach.
   PointGrid(const Vec3& low, const Vec3& high, double cell);
-  /// A grid around all agents, holding every one of them under its index.
-  PointGrid(const AgentStore& agents, double cell);
 
   void insert(Index name, const Vec3& point);
 

@@ -38,8 +38,8 @@ void fixEnds(Wall& wall, double radii);
 /// Flags every EEL agent as fixed (model 2: the tissue outside is stiff); the ends keep their flags.
 void fixOuterLamina(Wall& wall);
 
-/// Orders agents along a space-filling (Morton) curve of cells of four radii, bonds included, so that
-/// neighbours in space are neighbours in memory. Ids stay.
+/// Orders agents, bonds included, so that neighbours in space are neighbours in memory (spatialOrder). Ids
+/// stay.
 void orderInSpace(Wall& wall);
 
 }  // namespace restenosis

@@ -1,10 +1,9 @@
 #include "WallBonds.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include "PointGrid.h"
+#include "NeighbourQuery.h"
 
 namespace restenosis {
 
@@ -18,17 +17,13 @@ std::size_t bondWall(Wall& wall, double range) {
     double distance;
     Index a, b;
   };
-  const double largest = *std::ranges::max_element(agents.radius);
-  const PointGrid grid(agents, 2 * range * largest);
+  const CellGrid grid(agents, 2 * range * NeighbourQuery::largestRadius(agents));
+  NeighbourQuery query(agents, grid);
   std::vector<Pair> pairs;
   for (Index a = 0; a < agents.size(); ++a) {
     if (agents.kind[a] == AgentKind::strut) continue;
-    grid.visit(agents.position(a), range * (agents.radius[a] + largest), [&](Index b, double squared) {
-      const double reach = range * (agents.radius[a] + agents.radius[b]);
-      if (b > a && agents.kind[b] != AgentKind::strut && squared < reach * reach) {
-        pairs.push_back({std::sqrt(squared), a, b});
-      }
-      return true;
+    query.forEachNeighbour(a, range, [&](Index b, double distance) {
+      if (b > a && agents.kind[b] != AgentKind::strut) pairs.push_back({distance, a, b});
     });
   }
   // Ids break ties, so that the order of agents in memory cannot matter.

@@ -90,15 +90,16 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
   const std::array<const Constraint*, 2> packing = {&cylinders, &ends};
   done.packed = relaxation.relax(wall.agents, wall.bonds, packing);
 
+  // Bonded before the laminae are let go: the bonds of the IEL take up the pressure that its cylinder
+  // carried, which without them would push it some micrometres into the lumen.
+  orderInSpace(wall);
+  done.bonds = bondWall(wall, vessel.bondRange);
   const double before = meanIelRadius(wall.agents);
   const OuterConfinement outside(wall.agents, vessel.cellRadius);
   const std::array<const Constraint*, 2> released = {&outside, &ends};
   done.released = relaxation.relax(wall.agents, wall.bonds, released);
   done.ielDrift = meanIelRadius(wall.agents) - before;
   done.expelled = countExpelled(wall);
-
-  orderInSpace(wall);
-  done.bonds = bondWall(wall, vessel.bondRange);
   fixEnds(wall, vessel.fixedEnds);
   if (report) *report = done;
   return wall;

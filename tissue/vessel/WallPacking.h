@@ -25,9 +25,10 @@ struct PackingReport {
   std::size_t bonds = 0;
 };
 
-/// A wall in equilibrium: scattered, relaxed with the laminae sliding on their cylinders, released, relaxed
-/// again, bonded with every bond at rest, ends fixed, ordered in space. The same for any number of threads.
-/// Throws RelaxationFailed where it does not reach equilibrium.
+/// A wall in equilibrium: scattered, relaxed with the laminae sliding on their cylinders, bonded with every
+/// bond at rest, released, relaxed again, ends fixed, ordered in space. What little load the bonds then carry
+/// is the packing's pressure on the laminae. The same for any number of threads. Throws RelaxationFailed
+/// where it does not reach equilibrium.
 Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
               PackingReport* report = nullptr);
 

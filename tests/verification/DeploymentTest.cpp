@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "Cylindrical.h"
+#include "Deployment.h"
+#include "StateArchive.h"
+#include "WallBonds.h"
+#include "WallPacking.h"
+
+namespace restenosis {
+namespace {
+
+/// One ring in a narrow, short vessel, at a looser tolerance: quick, and all of what a deployment does.
+struct Setting {
+  Setting() {
+    vessel.length = 0.3e-3;
+    vessel.lumenDiameter = 0.4e-3;
+    stent.deploymentDepth = 60e-6;
+    stent.deploymentSteps = 20;
+    mechanics.tolerance = 0.1;
+  }
+  VesselParameters vessel;
+  StentParameters stent;
+  MechanicsParameters mechanics;
+};
+
+Wall packedWall() {
+  static const Wall wall = packWall(Setting().vessel, Setting().mechanics, 1);
+  return wall;
+}
+
+std::string digest(Wall wall) {
+  HashingArchive archive;
+  archive(wall);
+  return archive.digest();
+}
+
+class Deployed : public testing::TestWithParam<const char*> {};
+
+TEST_P(Deployed, KeepsTheWallTogether) {
+  Setting s;
+  s.stent.outerLamina = GetParam();
+  Wall wall = packedWall();
+  const Index wallAgents = wall.agents.size();
+  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  int reports = 0;
+  deployment.run([&](const Deployment&, const RelaxationReport& report) {
+    EXPECT_TRUE(report.converged);
+    ++reports;
+  });
+  EXPECT_EQ(reports, 20);
+
+  double outermost = 0;
+  Index struts = 0;
+  for (Index i = 0; i < wall.agents.size(); ++i) {
+    ASSERT_GE(wall.agents.z[i], 0);
+    ASSERT_LE(wall.agents.z[i], s.vessel.length);
+    if (wall.agents.kind[i] != AgentKind::strut) continue;
+    outermost = std::max(outermost, radiusOf(wall.agents.position(i)) + wall.agents.radius[i]);
+    ++struts;
+  }
+  EXPECT_NEAR(outermost, 0.26e-3, 0.1e-6);
+  EXPECT_EQ(wall.agents.size(), wallAgents + struts);
+
+  const DeploymentStatistics statistics = deployment.statistics();
+  EXPECT_EQ(statistics.escaped, 0u);
+  EXPECT_EQ(statistics.outside, 0u);
+  EXPECT_GT(statistics.ielUnderStrut, 0.26e-3);
+  EXPECT_LT(statistics.ielUnderStrut, 0.28e-3);
+  EXPECT_LT(statistics.laminaDistance, 0.16e-3);
+  EXPECT_GT(statistics.laminaDistance, 0.09e-3);
+  EXPECT_LT(statistics.largestOverlap, 2);
+  EXPECT_GT(statistics.largestIelStrain, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Eel, Deployed, testing::Values("free", "fixed"),
+                         [](const auto& outer) { return std::string(outer.param); });
+
+TEST(DeploymentTest, EelFixedDoesNotMove) {
+  Setting s;
+  s.stent.outerLamina = "fixed";
+  s.stent.deploymentSteps = 20;
+  Wall wall = packedWall();
+  const Wall before = wall;
+  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  for (int k = 0; k < 3; ++k) deployment.step();
+  for (Index i = 0; i < before.agents.size(); ++i) {
+    if (before.agents.kind[i] == AgentKind::eel || before.agents.has(i, fixed)) {
+      ASSERT_EQ(wall.agents.position(i), before.agents.position(i));
+    }
+  }
+}
+
+TEST(DeploymentTest, ResumesBitForBit) {
+  const Setting s;
+  Wall whole = packedWall();
+  Deployment uninterrupted(whole, s.stent, s.vessel, s.mechanics);
+  for (int k = 0; k < 4; ++k) uninterrupted.step();
+
+  Wall halted = packedWall();
+  {
+    Deployment first(halted, s.stent, s.vessel, s.mechanics);
+    for (int k = 0; k < 2; ++k) first.step();
+  }
+  WritingArchive written;
+  written(halted);
+  ReadingArchive reading(written.buffer());
+  Wall resumed;
+  reading(resumed);
+  Deployment second(resumed, s.stent, s.vessel, s.mechanics, 2);
+  for (int k = 0; k < 2; ++k) second.step();
+  EXPECT_EQ(digest(resumed), digest(whole));
+}
+
+TEST(DeploymentTest, StrutsOfAnotherStentAreRefused) {
+  Setting s;
+  Wall wall = packedWall();
+  Deployment first(wall, s.stent, s.vessel, s.mechanics);
+  s.stent.strutWidth = 0.05e-3;
+  EXPECT_THROW(Deployment(wall, s.stent, s.vessel, s.mechanics), std::invalid_argument);
+}
+
+/// Without bonds the wall is a liquid: the IEL gives way to the strut sideways and bulges into the lumen.
+TEST(DeploymentTest, BondsHoldTheIelUnderTheStrut) {
+  Setting s;
+  s.stent.outerLamina = "fixed";
+  const auto ielUnderStrut = [&](bool bonded) {
+    Wall wall = packedWall();
+    if (!bonded) bondWall(wall, 0);
+    Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+    deployment.run();
+    int under = 0;
+    for (Index i = 0; i < wall.agents.size(); ++i) {
+      under += wall.agents.kind[i] == AgentKind::iel &&
+               std::abs(wall.agents.z[i] - s.vessel.length / 2) < s.stent.strutWidth / 2;
+    }
+    return under;
+  };
+  EXPECT_GT(ielUnderStrut(true), 1.25 * ielUnderStrut(false));
+}
+
+}  // namespace
+}  // namespace restenosis
