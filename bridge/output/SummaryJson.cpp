@@ -28,10 +28,11 @@ Json finalValues(const TimeSeriesRow& row) {
 Json flowSolves(const Summary& summary) {
   Json flow;
   flow["backend"] = summary.flowBackend.empty() ? Json(nullptr) : Json(summary.flowBackend);
-  flow["solvesDone"] = summary.flow.totalDone();
-  flow["solvesSkipped"] = summary.flow.totalSkipped();
-  flow["doneBecause"] = Json(summary.flow.done);
-  flow["skippedBecause"] = Json(summary.flow.skipped);
+  std::uint64_t skipped = 0;
+  for (const auto& [reason, count] : summary.flowSolvesSkipped) skipped += count;
+  flow["solvesDone"] = summary.flowSolvesDone;
+  flow["solvesSkipped"] = skipped;
+  flow["skippedBecause"] = Json(summary.flowSolvesSkipped);
   return flow;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "PartTimer.h"
-#include "SolveCounts.h"
 #include "TimeSeriesRow.h"
 
 namespace restenosis {
@@ -20,14 +19,15 @@ struct Summary {
   std::string flowBackend;  ///< empty when no flow is modelled
   std::string stateDigest;
   TimeSeriesRow last;  ///< the final values
-  SolveCounts flow;
+  std::uint64_t flowSolvesDone = 0;
+  std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
   std::map<std::string, PartCost> parts;
   std::vector<std::string> remarks;  ///< warnings and retries of all parts
 };
 
 /// Writes summary.json: scene, title, status, version, seed, threads, agents, stateDigest, final (the columns
-/// of timeSeries.csv; null where unknown), flow (solves done and skipped, with reasons), parts (seconds and
-/// peak memory), totalSeconds, remarks. Throws WriteFailed.
+/// of timeSeries.csv; null where unknown), flow (solves done, skipped, and skipped by reason), parts (seconds
+/// and peak memory), totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -39,6 +39,13 @@ TEST(Figures, DrawsWhatThereIsBeforeAnyFlowAndForOneFrame) {
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
 }
 
+TEST(Figures, SayWhenThereIsNothingToDraw) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  EXPECT_NE(Figures().draw(folder.path()).find("holds no results to draw"), std::string::npos);
+}
+
 TEST(Figures, NamesWhatIsMissing) {
   TemporaryFolder folder;
   EXPECT_NE(Figures("/nonexistent/python3", "figures", 5s).draw(folder.path()).find("RESTENOSIS_PYTHON"),

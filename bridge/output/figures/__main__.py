@@ -31,26 +31,34 @@ def draw(folder):
     matplotlib.use("Agg")
     import growth
     import lumen
+    import results
     import section
-    import virtual_display
 
     problems = []
+    drawn = []
     for name, picture in (("growth.png", growth), ("lumen.png", lumen), ("section.png", section)):
         try:
             picture.draw(folder, folder / name)
-            print(f"drawn: {name}")
-        except FileNotFoundError as error:
-            problems.append(f"{name}: {error}")
-    # Rendering can end its process where graphics are broken, so it has one of its own.
+            drawn.append(name)
+        except results.NothingToDraw as reason:
+            print(f"{name}: {reason}")
+    if "lumen.png" in drawn and (problem := draw_in_space(folder)):
+        problems.append(f"lumen3d.png: {problem}")
+    if not drawn:
+        problems.append(f"{folder} holds no results to draw")
+    return problems
+
+
+def draw_in_space(folder):
+    """Draws lumen3d.png in a process of its own: where graphics are broken, rendering can end its process."""
+    import virtual_display
+
     script = Path(__file__).parent / "lumen3d.py"
     command = virtual_display.wrap([sys.executable, "-B", str(script), str(folder)])
     if command is None:
-        problems.append("lumen3d.png: no display and no xvfb-run; install the package xvfb")
-    elif (status := subprocess.run(command, check=False).returncode) != 0:
-        problems.append(f"lumen3d.png: the rendering process ended with status {status}")
-    else:
-        print("drawn: lumen3d.png")
-    return problems
+        return "there is no display; install the package xvfb"
+    status = subprocess.run(command, check=False).returncode
+    return f"the rendering process ended with status {status}" if status != 0 else None
 
 
 def main():

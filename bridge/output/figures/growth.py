@@ -6,6 +6,9 @@ import results
 import style
 
 
+FEW = 20  # rows up to which each is marked by a dot
+
+
 def known(series, name):
     return name in series and np.isfinite(series[name]).any()
 
@@ -15,7 +18,7 @@ def mark_solves(axes, series):
     solved = series["day"][series["flowSolved"] > 0]
     for axis in axes:
         for day in solved:
-            axis.axvline(day, ymax=0.03, color=style.VERMILION, linewidth=1.2)
+            axis.axvline(day, ymax=0.03, color=style.VERMILION, linewidth=1.2, marker="")
         if axis is axes[-1] and solved.size:
             axis.plot([], [], "|", color=style.VERMILION, markersize=6, markeredgewidth=1.5, label="flow solved")
 
@@ -60,8 +63,8 @@ def cells(axis, series):
 
 
 def shear(axis, series):
-    axis.set_title("Wall shear stress")
-    axis.set_ylabel("WSS [Pa]")
+    axis.set_title("Flow")
+    axis.set_ylabel("wall shear stress [Pa]")
     day = series["day"]
     if not known(series, "wssMean_Pa"):
         axis.text(0.5, 0.5, "no flow was solved", transform=axis.transAxes, ha="center", color=style.GREY)
@@ -77,6 +80,9 @@ def shear(axis, series):
 def draw(folder, path):
     style.apply()
     series = results.time_series(folder)
+    if len(series["day"]) < FEW:
+        plt.rcParams["lines.marker"] = "o"
+        plt.rcParams["lines.markersize"] = 3.5
     figure, grid = plt.subplots(2, 2, figsize=(9.5, 6.2), sharex=True)
     axes = grid.ravel()
     for axis, part in zip(axes, (thickness, narrowing, cells, shear)):

@@ -129,7 +129,4 @@ def draw(folder, path):
 
 
 if __name__ == "__main__":
-    try:
-        draw(Path(sys.argv[1]), Path(sys.argv[1]) / "lumen3d.png")
-    except FileNotFoundError as missing:
-        sys.exit(str(missing))
+    draw(Path(sys.argv[1]), Path(sys.argv[1]) / "lumen3d.png")

@@ -7,6 +7,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+class NothingToDraw(Exception):
+    """The results do not hold what a picture shows: a scene without tissue has no cells to draw."""
+
+
 KINDS = {"smc": 0, "iel": 1, "eel": 2, "strut": 3}
 
 
@@ -14,11 +18,11 @@ def time_series(folder):
     """The columns of timeSeries.csv by name; an empty field is NaN."""
     path = folder / "timeSeries.csv"
     if not path.exists():
-        raise FileNotFoundError(f"there is no {path}")
+        raise NothingToDraw(f"there is no {path}")
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     if not rows:
-        raise FileNotFoundError(f"{path} has no rows yet")
+        raise NothingToDraw(f"{path} has no rows yet")
     return {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
 
 
@@ -26,11 +30,11 @@ def frames(folder, series):
     """[(day, data file)] of tissue.pvd or lumen.pvd."""
     path = folder / f"{series}.pvd"
     if not path.exists():
-        raise FileNotFoundError(f"there is no {path}")
+        raise NothingToDraw(f"there is no {path}")
     entries = ElementTree.parse(path).getroot().iter("DataSet")
     found = [(float(entry.get("timestep")), folder / entry.get("file")) for entry in entries]
     if not found:
-        raise FileNotFoundError(f"{path} has no entries yet")
+        raise NothingToDraw(f"{path} has no entries yet")
     return found
 
 
