@@ -24,7 +24,10 @@ AgentStore grow(const CellCycleParameters& parameters, double step, int steps) {
     for (Index i = 0; i < agents.size(); ++i) {
       EXPECT_TRUE(std::isfinite(agents.radius[i]) && std::isfinite(agents.clock[i]));
       EXPECT_LE(agents.radius[i], 15e-6 * std::cbrt(2.0));
-      EXPECT_LE(agents.clock[i], 2 * step + 16 * 3600.0);
+      const double limit = agents.state[i] == CycleState::g0   ? step
+                           : agents.state[i] == CycleState::g1 ? agents.g1Duration[i]
+                                                               : parameters.sg2mDuration;
+      EXPECT_LE(agents.clock[i], limit);
     }
   }
   return agents;
