@@ -1,9 +1,11 @@
 #include "ContactInhibitionParameters.h"
 
+#include "ContactInhibitionLaw.h"
+
 namespace restenosis {
 
 void ContactInhibitionParameters::describe(ParameterVisitor& p) {
-  p.choice(law, {"exposure", "neighbourCount"},
+  p.choice(law, contactInhibitionLawNames(),
            {.key = "law",
             .source = "assumed",
             .description = "what makes a cell crowded: too few free directions, or "
@@ -34,6 +36,12 @@ void ContactInhibitionParameters::describe(ParameterVisitor& p) {
                          .maximum = 1000,
                          .source = "assumed",
                          .description = "directions sampled around a cell"});
+  p.quantity(changeTolerance, {.key = "changeTolerance",
+                               .minimum = 0,
+                               .maximum = 1,
+                               .source = "assumed",
+                               .description = "cells are judged anew when an agent near them has moved or "
+                                              "grown by more than this times its radius"});
   p.quantity(countRange, {.key = "countRange",
                           .minimum = 1,
                           .maximum = 5,

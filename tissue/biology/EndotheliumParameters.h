@@ -13,7 +13,13 @@ struct EndotheliumParameters {
       "Endothelium returns and turns wall shear stress into nitric oxide";
 
   std::string scenario = "3-23 days";
-  double nitricOxideThreshold = 0.001;  ///< [nmol/mm^3]
+  double nitricOxideThreshold = 0.001;  ///< [nmol/mm^3], which is [mol/m^3]
+  // NO = slope w up to the transition, constant + first w + second w^2 above it; w [Pa], NO [nmol/mm^3].
+  double nitricOxideSlope = 0.00366;
+  double nitricOxideTransition = 1.05;
+  double nitricOxideConstant = 0.062;
+  double nitricOxideFirst = -0.11;
+  double nitricOxideSecond = 0.052;
 
   void describe(ParameterVisitor& p);
 };

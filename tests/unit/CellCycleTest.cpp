@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "CellCycle.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double r = 15e-6;
+constexpr double hour = 3600;
+constexpr double never = std::numeric_limits<double>::infinity();
+const double fullRadius = r * std::cbrt(2.0);
+
+AgentStore oneCell() {
+  AgentStore agents;
+  agents.append(AgentKind::smc, Vec3::Zero(), r);
+  agents.set(0, synthetic, true);
+  return agents;
+}
+
+CellCycleParameters exactly(double g1, double sg2m) {
+  CellCycleParameters parameters;
+  parameters.g1Mean = g1;
+  parameters.g1Spread = 0;
+  parameters.sg2mDuration = sg2m;
+  return parameters;
+}
+
+TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
+  const CellCycle cycle({}, 1, hour, never);
+  const int n = 20000;
+  double sum = 0, squares = 0;
+  for (int id = 0; id < n; ++id) {
+    const double hours = cycle.drawG1Duration(id, 0) / hour;
+    EXPECT_GE(hours, 10);
+    EXPECT_LE(hours, 22);
+    sum += hours, squares += (hours - 16) * (hours - 16);
+  }
+  // Variance of a normal truncated at 3 sigma: 1 - 2 * 3 phi(3) / (2 Phi(3) - 1) = 0.97334.
+  EXPECT_NEAR(sum / n, 16, 5 * 2 / std::sqrt(n));
+  EXPECT_NEAR(squares / n, 4 * 0.97334, 5 * 4 * std::sqrt(2.0 / n));
+  EXPECT_EQ(cycle.drawG1Duration(5, 3), cycle.drawG1Duration(5, 3));
+  EXPECT_NE(cycle.drawG1Duration(5, 3), cycle.drawG1Duration(5, 4));
+  EXPECT_NE(cycle.drawG1Duration(5, 3), cycle.drawG1Duration(6, 3));
+}
+
+TEST(CellCycle, GrowsExponentiallyToTwiceTheVolume) {
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  AgentStore agents = oneCell();
+  CycleReport report;
+  for (int step = 1; step <= 32; ++step) {
+    const auto dividing = cycle.advance(agents, report);
+    EXPECT_NEAR(agents.radius[0], r * std::exp2(std::min(step, 16) / 48.0), 1e-18) << step;
+    EXPECT_EQ(agents.state[0], step < 16 ? CycleState::g1 : CycleState::sg2m) << step;
+    EXPECT_EQ(dividing.size(), step == 32 ? 1u : 0u) << step;
+  }
+  EXPECT_EQ(agents.radius[0], fullRadius);
+  EXPECT_EQ(report.enteredG1, 1u);
+  EXPECT_EQ(report.enteredSg2m, 1u);
+  EXPECT_EQ(report.arrested, 0u);
+}
+
+TEST(CellCycle, RestsWhereARuleForbidsIt) {
+  const CellCycle cycle({}, 1, hour, 0.001);
+  const auto rests = [&](auto change) {
+    AgentStore agents = oneCell();
+    change(agents);
+    CycleReport report;
+    cycle.advance(agents, report);
+    return agents.state[0] == CycleState::g0 && agents.radius[0] == r && report.enteredG1 == 0;
+  };
+  EXPECT_FALSE(rests([](AgentStore&) {}));
+  EXPECT_FALSE(rests([](AgentStore& a) { a.nitricOxide[0] = 0.000999; }));
+  EXPECT_TRUE(rests([](AgentStore& a) { a.nitricOxide[0] = 0.001; }));
+  EXPECT_TRUE(rests([](AgentStore& a) { a.set(0, inhibited, true); }));
+  EXPECT_TRUE(rests([](AgentStore& a) { a.set(0, synthetic, false); }));
+  EXPECT_TRUE(rests([](AgentStore& a) { a.set(0, fixed, true); }));
+  EXPECT_TRUE(rests([](AgentStore& a) { a.kind[0] = AgentKind::iel; }));
+}
+
+TEST(CellCycle, KeepsTheRadiusOfACellSentBackAndNeverInflatesIt) {
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  AgentStore agents = oneCell();
+  CycleReport report;
+  for (int round = 0; round < 10; ++round) {
+    agents.set(0, inhibited, false);
+    for (int step = 0; step < 8; ++step) cycle.advance(agents, report);
+    EXPECT_EQ(agents.clock[0], 8 * hour);
+    const double grown = agents.radius[0];
+    EXPECT_NEAR(grown, std::min(fullRadius, r * std::exp2((round + 1) * 8 / 48.0)), 1e-18);
+    agents.set(0, inhibited, true);
+    cycle.advance(agents, report);
+    EXPECT_EQ(agents.state[0], CycleState::g0);
+    EXPECT_EQ(agents.clock[0], 0);
+    EXPECT_EQ(agents.radius[0], grown);
+  }
+  EXPECT_EQ(report.arrested, 10u);
+  EXPECT_EQ(agents.radius[0], fullRadius);
+}
+
+TEST(CellCycle, FinishesWhatItStartedAfterG1) {
+  const CellCycle cycle(exactly(2 * hour, 2 * hour), 1, hour, 0.001);
+  AgentStore agents = oneCell();
+  CycleReport report;
+  cycle.advance(agents, report);
+  cycle.advance(agents, report);
+  ASSERT_EQ(agents.state[0], CycleState::sg2m);
+  agents.set(0, inhibited, true);
+  agents.set(0, synthetic, false);
+  agents.nitricOxide[0] = 1;
+  EXPECT_TRUE(cycle.advance(agents, report).empty());
+  EXPECT_EQ(cycle.advance(agents, report).size(), 1u);
+}
+
+TEST(CellCycle, CarriesTheRestOfAStepIntoTheNextPhase) {
+  const CellCycle cycle(exactly(2.25 * hour, 1.5 * hour), 1, hour, never);
+  AgentStore agents = oneCell();
+  CycleReport report;
+  for (int step = 0; step < 3; ++step) cycle.advance(agents, report);
+  EXPECT_EQ(agents.state[0], CycleState::sg2m);
+  EXPECT_NEAR(agents.clock[0], 0.75 * hour, 1e-9);
+  EXPECT_EQ(cycle.advance(agents, report).size(), 1u);
+  EXPECT_NEAR(agents.clock[0], 0.25 * hour, 1e-9);
+}
+
+TEST(CellCycle, LosesTheRestWhereTheNextCheckpointHoldsTheCell) {
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  AgentStore agents = oneCell();
+  agents.clock[0] = 0.5 * hour;
+  agents.set(0, inhibited, true);
+  CycleReport report;
+  cycle.advance(agents, report);
+  EXPECT_EQ(agents.clock[0], 0);
+}
+
+TEST(CellCycle, ReturnsDividingCellsInTheOrderOfTheirIds) {
+  const CellCycle cycle(exactly(0, 0), 1, hour, never);
+  AgentStore agents;
+  for (int n = 0; n < 3; ++n) {
+    agents.append(AgentKind::smc, Vec3::Zero(), r);
+    agents.set(n, synthetic, true);
+  }
+  agents.reorder(std::vector<Index>{2, 0, 1});
+  CycleReport report;
+  EXPECT_EQ(cycle.advance(agents, report), (std::vector<Index>{1, 2, 0}));
+}
+
+}  // namespace
+}  // namespace restenosis

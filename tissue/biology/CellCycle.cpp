@@ -1,0 +1,97 @@
+#include "CellCycle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ParallelThreshold.h"
+#include "RandomStream.h"
+
+namespace restenosis {
+
+namespace {
+
+const double doubledRadius = std::cbrt(2.0);
+
+}  // namespace
+
+CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
+                     double nitricOxideThreshold)
+    : p_(parameters), seed_(seed), step_(step), nitricOxideThreshold_(nitricOxideThreshold) {}
+
+double CellCycle::drawG1Duration(AgentId id, std::uint32_t generation) const {
+  RandomStream random(seed_, id, generation, RandomPurpose::g1Duration);
+  double deviate = random.normal();
+  while (std::abs(deviate) > 3) deviate = random.normal();
+  return std::max(0.0, p_.g1Mean + p_.g1Spread * deviate);
+}
+
+bool CellCycle::mayCycle(const AgentStore& agents, Index i) const {
+  return agents.has(i, synthetic) && !agents.has(i, inhibited) &&
+         agents.nitricOxide[i] < nitricOxideThreshold_;
+}
+
+std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i) const {
+  std::uint8_t passed = 0;
+  const auto pass = [&passed](Passage passage) { passed |= static_cast<std::uint8_t>(passage); };
+  double& clock = agents.clock[i];
+  double left = step_;
+
+  if (agents.state[i] != CycleState::sg2m && !mayCycle(agents, i)) {
+    if (agents.state[i] == CycleState::g1) pass(Passage::arrested);
+    agents.state[i] = CycleState::g0;
+    clock = 0;
+    return passed;
+  }
+  if (agents.state[i] == CycleState::g0) {
+    left += clock;
+    clock = 0;
+    agents.state[i] = CycleState::g1;
+    if (agents.g1Duration[i] <= 0) {
+      agents.g1Duration[i] = drawG1Duration(agents.id[i], agents.generation[i]);
+    }
+    pass(Passage::enteredG1);
+  }
+  if (agents.state[i] == CycleState::g1) {
+    const double duration = agents.g1Duration[i];
+    const double target = agents.birthRadius[i] * doubledRadius;
+    if (clock + left < duration) {
+      const double grown = agents.radius[i] * std::exp2(left / (3 * duration));
+      agents.radius[i] = std::min(grown, target);
+      clock += left;
+      return passed;
+    }
+    left -= duration - clock;
+    clock = 0;
+    agents.radius[i] = target;
+    agents.state[i] = CycleState::sg2m;
+    pass(Passage::enteredSg2m);
+  }
+  clock += left;
+  if (clock >= p_.sg2mDuration) {
+    clock = std::min(clock - p_.sg2mDuration, step_);
+    pass(Passage::divides);
+  }
+  return passed;
+}
+
+std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report) const {
+  // Each cell reads and writes itself only, so the order in which cells are taken cannot matter.
+  std::vector<std::uint8_t> passed(agents.size(), 0);
+#pragma omp parallel for schedule(static) if (agents.size() > parallelThreshold)
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] == AgentKind::smc && !agents.has(i, fixed)) passed[i] = advanceCell(agents, i);
+  }
+
+  std::vector<Index> dividing;
+  for (Index i = 0; i < agents.size(); ++i) {
+    const auto did = [&](Passage p) { return (passed[i] & static_cast<std::uint8_t>(p)) != 0; };
+    report.enteredG1 += did(Passage::enteredG1);
+    report.arrested += did(Passage::arrested);
+    report.enteredSg2m += did(Passage::enteredSg2m);
+    if (did(Passage::divides)) dividing.push_back(i);
+  }
+  std::ranges::sort(dividing, {}, [&](Index i) { return agents.id[i]; });
+  return dividing;
+}
+
+}  // namespace restenosis

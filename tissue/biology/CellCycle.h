@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "AgentStore.h"
+#include "CellCycleParameters.h"
+
+namespace restenosis {
+
+/// What a step of the cycle did, in cells.
+struct CycleReport {
+  Index enteredG1 = 0;    ///< left rest
+  Index arrested = 0;     ///< sent back to rest from G1
+  Index enteredSg2m = 0;  ///< finished growing
+  Index divisions = 0;
+};
+
+/// The cell cycle of the free SMC (model 5): G0 -> G1 (growth) -> S/G2/M -> division.
+///
+/// At the checkpoint G0 -> G1 and in G1 a cell rests unless it is synthetic, not inhibited and below the
+/// nitric oxide threshold; a cell sent back to G0 keeps its radius and length of G1, its clock starts again.
+/// From S on no rule applies. In G1 the radius grows as r <- r 2^(dt / (3 T)), T the cell's length of G1, up
+/// to twice the volume at birth, and is exactly that at its end. Agents flagged `fixed` hold the ends of the
+/// vessel and do not cycle.
+///
+/// Phases need not be multiples of the step: what a step leaves over after a phase goes to the next one,
+/// after a division to mother and daughter, who keep it on their clocks in G0 and spend it when the next
+/// checkpoint lets them pass (one that holds them back takes it). A cell divides at most once a step; a cycle
+/// shorter than the step therefore runs once a step, and no more than one step is ever left over.
+class CellCycle {
+ public:
+  /// `step` [s] is the biological step. `nitricOxideThreshold` [nmol/mm^3]; infinity where there is no
+  /// endothelium.
+  CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
+            double nitricOxideThreshold);
+
+  /// Takes every cell through one step. Returns the cells that are to divide, in ascending order of their
+  /// ids, their clocks holding what the step left over; the caller divides them (Division).
+  std::vector<Index> advance(AgentStore& agents, CycleReport& report) const;
+
+  /// Length of G1 [s]: normal, truncated at three standard deviations and at zero, drawn by (seed, id,
+  /// generation).
+  double drawG1Duration(AgentId id, std::uint32_t generation) const;
+
+ private:
+  enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8 };
+
+  bool mayCycle(const AgentStore& agents, Index i) const;
+  std::uint8_t advanceCell(AgentStore& agents, Index i) const;
+
+  CellCycleParameters p_;
+  std::uint64_t seed_;
+  double step_;
+  double nitricOxideThreshold_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,102 @@
+#include "ContactInhibition.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "ParallelThreshold.h"
+
+namespace restenosis {
+
+namespace {
+
+/// Marks of the reference configuration.
+enum Mark : std::uint8_t { usesFlags = 1, isInhibited = 2, isExposed = 4 };
+
+bool couldUse(const AgentStore& agents, Index i) {
+  return agents.kind[i] == AgentKind::smc && agents.has(i, synthetic) && !agents.has(i, fixed);
+}
+
+}  // namespace
+
+ContactInhibition::ContactInhibition(const ContactInhibitionParameters& parameters,
+                                     std::unique_ptr<const ContactInhibitionLaw> law, double vesselLength)
+    : measure_(parameters),
+      law_(std::move(law)),
+      range_(std::max(measure_.range(), law_ ? law_->range() : 0.0)),
+      tolerance_(parameters.changeTolerance),
+      vesselLength_(vesselLength) {}
+
+InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
+  InhibitionReport report;
+  const auto places = reference_.follow(agents, tolerance_);
+  report.disturbances = static_cast<Index>(places.size());
+  const std::span<std::uint8_t> marks = reference_.marks();
+
+  std::vector<std::uint8_t> due(agents.size(), 0);
+  std::vector<Index> cells;
+  bool anyNew = false;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (!couldUse(agents, i)) {
+      marks[i] = 0;
+    } else if (marks[i] == 0) {
+      due[i] = 1;
+      anyNew = true;
+    }
+  }
+  if (!places.empty() || anyNew) {
+    const MirroredNeighbours neighbours(reference_.agents(), range_, vesselLength_);
+#pragma omp parallel for schedule(dynamic, 64) if (places.size() > parallelThreshold)
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      neighbours.forEachWithin(places[k].centre, places[k].radius, [&due](Index j, const Vec3&, double) {
+        std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
+      });
+    }
+    for (Index i = 0; i < agents.size(); ++i) {
+      if (due[i] && couldUse(agents, i)) cells.push_back(i);
+    }
+#pragma omp parallel if (cells.size() > parallelThreshold)
+    {
+      std::vector<ContactNeighbour> scratch;
+#pragma omp for schedule(dynamic, 64)
+      for (std::size_t k = 0; k < cells.size(); ++k) marks[cells[k]] = judge(neighbours, cells[k], scratch);
+    }
+  }
+  report.evaluated = static_cast<Index>(cells.size());
+
+  for (Index i = 0; i < agents.size(); ++i) {
+    agents.set(i, inhibited, marks[i] & isInhibited);
+    agents.set(i, exposed, marks[i] & isExposed);
+  }
+  return report;
+}
+
+std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Index cell,
+                                      std::vector<ContactNeighbour>& scratch) const {
+  neighbours.gather(cell, scratch);
+  const double radius = reference_.agents().radius[cell];
+  const Surroundings surroundings{radius, measure_.exposed(radius, scratch), scratch};
+  std::uint8_t mark = usesFlags;
+  if (surroundings.exposed) mark |= isExposed;
+  if (law_ && law_->inhibits(surroundings)) mark |= isInhibited;
+  return mark;
+}
+
+std::vector<double> ContactInhibition::exposedShares(const AgentStore& agents,
+                                                     const ContactInhibitionParameters& parameters,
+                                                     double vesselLength) {
+  const ExposureMeasure measure(parameters);
+  const MirroredNeighbours neighbours(agents, measure.range(), vesselLength);
+  std::vector<double> shares(agents.size());
+#pragma omp parallel if (agents.size() > parallelThreshold)
+  {
+    std::vector<ContactNeighbour> scratch;
+#pragma omp for schedule(dynamic, 64)
+    for (Index i = 0; i < agents.size(); ++i) {
+      neighbours.gather(i, scratch);
+      shares[i] = measure.share(agents.radius[i], scratch);
+    }
+  }
+  return shares;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "AgentStore.h"
+#include "ContactInhibitionLaw.h"
+#include "ContactInhibitionParameters.h"
+#include "ExposureMeasure.h"
+#include "MirroredNeighbours.h"
+#include "ReferenceConfiguration.h"
+
+namespace restenosis {
+
+/// What an evaluation of contact inhibition took.
+struct InhibitionReport {
+  Index disturbances = 0;  ///< places where agents moved, grew, appeared or went
+  Index evaluated = 0;     ///< cells judged anew
+};
+
+/// Sets the flags `inhibited` (by the law) and `exposed` (by the exposure measure) of every cell that could
+/// use them: free synthetic SMC. All other agents have neither.
+///
+/// The flags are always those of a full evaluation of a reference configuration, in which every agent is
+/// where it was when it last moved or grew by more than `changeTolerance` of its radius; only cells near a
+/// change of it are judged anew. So the work follows the motion, nothing is sticky, and what is judged when
+/// cannot change an answer. The reference configuration is part of a checkpoint (archive()).
+///
+/// The wall goes on beyond the ends of the vessel: near z = 0 and z = `vesselLength` a cell has the mirror
+/// images of the agents around it for neighbours, and its own where that does not overlap it.
+class ContactInhibition {
+ public:
+  /// `law` empty: no cell is inhibited, exposure is measured all the same. `vesselLength` [m]; 0: no ends.
+  ContactInhibition(const ContactInhibitionParameters& parameters,
+                    std::unique_ptr<const ContactInhibitionLaw> law, double vesselLength);
+
+  InhibitionReport evaluate(AgentStore& agents);
+
+  /// Share of free directions of any agent of `agents`, at its present place.
+  static std::vector<double> exposedShares(const AgentStore& agents,
+                                           const ContactInhibitionParameters& parameters,
+                                           double vesselLength);
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(reference_);
+  }
+
+ private:
+  std::uint8_t judge(const MirroredNeighbours& neighbours, Index cell,
+                     std::vector<ContactNeighbour>& scratch) const;
+
+  ExposureMeasure measure_;
+  std::unique_ptr<const ContactInhibitionLaw> law_;
+  double range_;
+  double tolerance_;
+  double vesselLength_;
+  ReferenceConfiguration reference_;
+};
+
+}  // namespace restenosis

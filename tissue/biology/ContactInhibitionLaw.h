@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "AgentStore.h"
+#include "ContactInhibitionParameters.h"
+
+namespace restenosis {
+
+/// An agent near a cell.
+struct ContactNeighbour {
+  Vec3 offset;      ///< from the cell's centre to the neighbour's [m]
+  double distance;  ///< length of `offset` [m]
+  double radius;    ///< [m]
+  AgentKind kind;
+};
+
+/// What a law may know of a cell.
+struct Surroundings {
+  double radius;  ///< of the cell itself [m]
+  bool exposed;   ///< by the exposure measure, with the scene's threshold
+  std::span<const ContactNeighbour>
+      neighbours;  ///< at least all within range() times R1 + R2, in no stated order
+};
+
+/// Whether a cell's surroundings keep it from cycling (model 6). Laws are stateless; the order of the
+/// neighbours must not change an answer, not even by rounding.
+class ContactInhibitionLaw {
+ public:
+  virtual ~ContactInhibitionLaw() = default;
+  /// Neighbours farther than this times R1 + R2 cannot matter.
+  virtual double range() const = 0;
+  virtual bool inhibits(const Surroundings& surroundings) const = 0;
+};
+
+/// A law as a scene names it. To add one: write its file and a row of the table in ContactInhibitionLaw.cpp.
+struct ContactInhibitionLawEntry {
+  std::string_view name;
+  std::unique_ptr<const ContactInhibitionLaw> (*make)(const ContactInhibitionParameters&);
+};
+
+std::span<const ContactInhibitionLawEntry> contactInhibitionLaws();
+std::vector<std::string_view> contactInhibitionLawNames();
+/// The law that `parameters.law` names; throws std::invalid_argument naming the laws there are.
+std::unique_ptr<const ContactInhibitionLaw> makeContactInhibitionLaw(
+    const ContactInhibitionParameters& parameters);
+
+}  // namespace restenosis

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "AgentStore.h"
+#include "EndotheliumParameters.h"
+#include "EndotheliumScenario.h"
+
+namespace restenosis {
+
+/// What a draw of coverage found and did.
+struct CoverageReport {
+  Index exposed = 0;       ///< cells that the lumen reaches and endothelium may settle on
+  Index covered = 0;       ///< of these, how many carry endothelium after the draw
+  Index newlyCovered = 0;  ///< of these, how many are new
+};
+
+/// Return of the endothelium over the exposed synthetic cells, seeded at random places (model 7).
+///
+/// Every agent holds one uniform number u, drawn by (seed, id). With n exposed cells and k of them covered, a
+/// draw at time t covers the round(c(t) n) - k bare ones of smallest u, and none if k is that many already.
+/// So:
+/// - as long as cells neither divide nor move, a cell is covered once u is below c(t), to within one sampling
+/// error,
+///   and the cells covered earlier stay among those covered later;
+/// - coverage is never lost, and daughters have their mother's. Covered cells that divide therefore raise the
+///   coverage above c(t), bare ones that divide lower it; an independent draw u < c(t) for each cell would
+///   keep that bias. Counting the cells covered already removes it: coverage is c(t) to within half a cell
+///   whenever inheritance has not carried it above, and then it waits until c(t) has caught up;
+/// - a daughter that comes to lie exposed and bare takes part in the next draw, and at c = 1 no exposed cell
+/// is bare. The outcome depends on ids and flags only, not on the order of agents or threads, and needs no
+/// state of its own.
+class Endothelium {
+ public:
+  /// Not denuded: covered from the start, whatever the scenario. Throws std::invalid_argument for an unknown
+  /// one.
+  Endothelium(const EndotheliumParameters& parameters, std::uint64_t seed, bool denuded);
+
+  /// Coverage c(t) to reach at `time` [s].
+  double target(double time) const;
+  /// Time of the first coverage [s]; infinity for never.
+  double onset() const;
+  /// Sets the flag `covered`; reads `exposed`, `synthetic` and the kind.
+  CoverageReport apply(AgentStore& agents, double time) const;
+
+ private:
+  EndotheliumScenario scenario_;
+  std::uint64_t seed_;
+  bool denuded_;
+};
+
+}  // namespace restenosis

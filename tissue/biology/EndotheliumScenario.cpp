@@ -1,0 +1,54 @@
+#include "EndotheliumScenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "NameList.h"
+
+namespace restenosis {
+
+namespace {
+
+constexpr double day = 86400;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// ISR3D gives the two ends of fast, normal and slow; nothing before day 3 and a straight line are assumed.
+constexpr std::array scenarios{
+    EndotheliumScenario{"3-23 days", 3 * day, 0.59, 23 * day, "T6"},
+    EndotheliumScenario{"slow linear", 0, 0, 23 * day, "T6"},
+    EndotheliumScenario{"fast", 3 * day, 0.59, 10 * day, "ISR3D"},
+    EndotheliumScenario{"normal", 3 * day, 0.59, 15 * day, "ISR3D"},
+    EndotheliumScenario{"slow", 3 * day, 0.59, 20 * day, "ISR3D"},
+    EndotheliumScenario{"none", never, 0, never, "assumed"},
+};
+
+}  // namespace
+
+double EndotheliumScenario::coverage(double time) const {
+  if (time < start) return 0;
+  if (time >= full) return 1;
+  return startCoverage + (1 - startCoverage) * (time - start) / (full - start);
+}
+
+std::span<const EndotheliumScenario> endotheliumScenarios() { return scenarios; }
+
+std::vector<std::string_view> endotheliumScenarioNames() {
+  std::vector<std::string_view> names;
+  for (const auto& scenario : scenarios) names.push_back(scenario.name);
+  return names;
+}
+
+const EndotheliumScenario& endotheliumScenario(std::string_view name) {
+  const auto found = std::ranges::find(scenarios, name, &EndotheliumScenario::name);
+  if (found == scenarios.end()) {
+    throw std::invalid_argument(fmt::format("unknown endothelium scenario \"{}\"; there are: {}", name,
+                                            commaSeparated(endotheliumScenarioNames())));
+  }
+  return *found;
+}
+
+}  // namespace restenosis

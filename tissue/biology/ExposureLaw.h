@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ContactInhibitionLaw.h"
+
+namespace restenosis {
+
+/// A cell is inhibited unless it is exposed: unless more than `exposureThreshold` of the directions around it
+/// are free of neighbours (ExposureMeasure). Assumed; unlike a count it tells a bare surface from the
+/// interior in a compressed wall as well as in one at rest.
+class ExposureLaw : public ContactInhibitionLaw {
+ public:
+  static constexpr std::string_view name = "exposure";
+
+  explicit ExposureLaw(const ContactInhibitionParameters& parameters) : range_(parameters.exposureRange) {}
+
+  double range() const override { return range_; }
+  bool inhibits(const Surroundings& surroundings) const override { return !surroundings.exposed; }
+
+ private:
+  double range_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,39 @@
+#include "MirroredNeighbours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace restenosis {
+
+namespace {
+
+double largest(const std::vector<double>& radius) {
+  return radius.empty() ? 0.0 : *std::ranges::max_element(radius);
+}
+
+/// Half the distance to which most agents look: fewer candidates outside the sphere than with whole ones.
+double cellSize(const AgentStore& agents, double range) {
+  const double sum = std::accumulate(agents.radius.begin(), agents.radius.end(), 0.0);
+  return sum > 0 ? range * sum / agents.size() : 1.0;
+}
+
+}  // namespace
+
+MirroredNeighbours::MirroredNeighbours(const AgentStore& agents, double range, double vesselLength)
+    : agents_(agents),
+      range_(range),
+      vesselLength_(vesselLength),
+      largestRadius_(largest(agents.radius)),
+      grid_(agents, cellSize(agents, range)) {}
+
+void MirroredNeighbours::gather(Index i, std::vector<ContactNeighbour>& found) const {
+  found.clear();
+  const double radius = agents_.radius[i];
+  forEachWithin(agents_.position(i), radius, [&](Index j, const Vec3& offset, double distance) {
+    if (j == i && distance < 2 * radius) return;
+    found.push_back({offset, distance, agents_.radius[j], agents_.kind[j]});
+  });
+}
+
+}  // namespace restenosis

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// A sphere at a place where something has changed.
+struct DisturbedPlace {
+  Vec3 centre;    ///< [m]
+  double radius;  ///< [m]
+};
+
+/// The agents as they were when they last moved or grew by more than a tolerance: what depends on them by way
+/// of this copy needs to be computed anew only where the copy changed. Every agent is within the tolerance of
+/// its copy, so small motions cannot add up unseen. Follows agents by id through births, removals and changes
+/// of order.
+class ReferenceConfiguration {
+ public:
+  /// Copies the agents that are new, of another kind, or farther from their copy than `tolerance` times its
+  /// radius (or grown by more than that), and forgets those that are gone. Returns every place where the copy
+  /// changed: old and new ones. Afterwards index i here is agent i there.
+  std::vector<DisturbedPlace> follow(const AgentStore& agents, double tolerance);
+
+  /// Positions, radii, kinds and ids; nothing else is kept up to date.
+  const AgentStore& agents() const { return copies_; }
+  /// A byte for each agent that goes with it through changes of order; 0 for a new one.
+  std::span<std::uint8_t> marks() { return marks_; }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(copies_, marks_);
+  }
+
+ private:
+  /// Takes on the order of `agents`; returns the places of copies whose agent is gone.
+  std::vector<DisturbedPlace> reorderLike(const AgentStore& agents);
+  bool inOrderOf(const AgentStore& agents) const;
+  DisturbedPlace placeOf(Index i) const { return {copies_.position(i), copies_.radius[i]}; }
+
+  AgentStore copies_;
+  std::vector<std::uint8_t> marks_;
+};
+
+}  // namespace restenosis
