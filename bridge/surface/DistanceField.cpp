@@ -1,0 +1,204 @@
+#include "DistanceField.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace restenosis {
+namespace {
+
+/// The part of a node range within `reach` of a coordinate; empty when last < first.
+struct Range {
+  int first, last;
+  Range(double coordinate, double reach, double origin, double spacing, int nodes)
+      : first(std::max(0, static_cast<int>(std::ceil((coordinate - reach - origin) / spacing)))),
+        last(std::min(nodes - 1, static_cast<int>(std::floor((coordinate + reach - origin) / spacing)))) {}
+};
+
+/// The spheres and their mirror images across the ends, as far as they reach into the grid, and for every
+/// plane of nodes which of them touch it, as a list in compressed rows.
+struct PlaneLists {
+  std::vector<Sphere> spheres;
+  std::vector<std::size_t> start;
+  std::vector<std::uint32_t> member;
+
+  PlaneLists(const LumenGrid& g, std::span<const Sphere> input, double clip) {
+    spheres.reserve(input.size() + input.size() / 4);
+    auto add = [&](Vec3 centre, double radius) {
+      if (centre.z() + radius + clip >= 0 && centre.z() - radius - clip <= g.length)
+        spheres.push_back({centre, radius});
+    };
+    for (const Sphere& s : input) {
+      add(s.centre, s.radius);
+      add({s.centre.x(), s.centre.y(), -s.centre.z()}, s.radius);
+      add({s.centre.x(), s.centre.y(), 2 * g.length - s.centre.z()}, s.radius);
+    }
+    start.assign(g.nz + 1, 0);
+    auto planes = [&](const Sphere& s) {
+      return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz);
+    };
+    for (const Sphere& s : spheres) {
+      const Range r = planes(s);
+      for (int k = r.first; k <= r.last; ++k) ++start[k + 1];
+    }
+    for (int k = 0; k < g.nz; ++k) start[k + 1] += start[k];
+    member.resize(start.back());
+    auto next = start;
+    for (std::uint32_t n = 0; n < spheres.size(); ++n) {
+      const Range r = planes(spheres[n]);
+      for (int k = r.first; k <= r.last; ++k) member[next[k]++] = n;
+    }
+  }
+};
+
+}  // namespace
+
+GridField sphereDistance(const LumenGrid& g, std::span<const Sphere> spheres, double clip) {
+  GridField field(g, static_cast<float>(clip));
+  const PlaneLists lists(g, spheres, clip);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < g.nz; ++k) {
+    for (std::size_t n = lists.start[k]; n < lists.start[k + 1]; ++n) {
+      const Sphere& s = lists.spheres[lists.member[n]];
+      const double reach = s.radius + clip, dz = g.z(k) - s.centre.z();
+      const double inPlane = reach * reach - dz * dz;
+      if (inPlane < 0) continue;
+      const Range rows(s.centre.y(), std::sqrt(inPlane), g.y(0), g.spacing, g.ny);
+      for (int j = rows.first; j <= rows.last; ++j) {
+        const double dy = g.y(j) - s.centre.y();
+        const double rest = inPlane - dy * dy;
+        if (rest < 0) continue;
+        const Range nodes(s.centre.x(), std::sqrt(rest), g.x(0), g.spacing, g.nx);
+        const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
+        const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
+        const float fixedPart = static_cast<float>(dy * dy + dz * dz);
+        float* row = field.values.data() + g.row(j, k) + nodes.first;
+        const int count = nodes.last - nodes.first + 1;
+#pragma omp simd
+        for (int i = 0; i < count; ++i) {
+          const float dx = offset + static_cast<float>(i) * spacing;
+          const float distance = std::sqrt(dx * dx + fixedPart) - radius;
+          row[i] = distance < row[i] ? distance : row[i];
+        }
+      }
+    }
+  }
+  return field;
+}
+
+GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts, double clip) {
+  GridField field(g, static_cast<float>(clip));
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < g.nz; ++k) {
+    for (const StrutSegment& s : struts) {
+      // Ends overlap at joints by half a width, so a box reaches at most this far from its centreline.
+      const double reach = clip + s.width + s.thickness;
+      if (g.z(k) < std::min(s.a.z(), s.b.z()) - reach || g.z(k) > std::max(s.a.z(), s.b.z()) + reach) continue;
+      const Vec3 middle = 0.5 * (s.a + s.b), half = 0.5 * (s.a - s.b).cwiseAbs();
+      const Range rows(middle.y(), half.y() + reach, g.y(0), g.spacing, g.ny);
+      const Range nodes(middle.x(), half.x() + reach, g.x(0), g.spacing, g.nx);
+      for (int j = rows.first; j <= rows.last; ++j) {
+        float* row = field.values.data() + g.row(j, k);
+        for (int i = nodes.first; i <= nodes.last; ++i)
+          row[i] = std::min(row[i], static_cast<float>(signedDistance(s, g.node(i, j, k))));
+      }
+    }
+  }
+  return field;
+}
+
+GridField closeByBall(const GridField& distance, double probe, double clip) {
+  const LumenGrid& g = distance.grid;
+  const std::vector<float>& d = distance.values;
+  const auto p = static_cast<float>(probe);
+  std::vector<std::vector<Sphere>> samples(g.nz);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j < g.ny; ++j) {
+      for (int i = 0; i < g.nx; ++i) {
+        const float here = d[g.index(i, j, k)] - p;
+        auto cross = [&](int di, int dj, int dk) {
+          const float there = d[g.index(i + di, j + dj, k + dk)] - p;
+          if ((here >= 0) == (there >= 0)) return;
+          const double t = here / (static_cast<double>(here) - there);
+          samples[k].push_back(
+              {g.node(i, j, k) + t * (g.node(i + di, j + dj, k + dk) - g.node(i, j, k)), probe});
+        };
+        if (i + 1 < g.nx) cross(1, 0, 0);
+        if (j + 1 < g.ny) cross(0, 1, 0);
+        if (k + 1 < g.nz) cross(0, 0, 1);
+      }
+    }
+  }
+  std::vector<Sphere> balls;
+  for (const auto& plane : samples) balls.insert(balls.end(), plane.begin(), plane.end());
+  GridField closed = sphereDistance(g, balls, clip);
+  const auto limit = static_cast<float>(clip);
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < d.size(); ++n)
+    closed.values[n] = std::clamp(d[n] >= p ? d[n] : -closed.values[n], -limit, limit);
+  return closed;
+}
+
+void blur(GridField& field, double sigma) {
+  if (sigma <= 0) return;
+  const LumenGrid& g = field.grid;
+  auto kernel = [&](double spacing) {
+    const int reach = static_cast<int>(std::ceil(3 * sigma / spacing));
+    std::vector<float> weights(2 * reach + 1);
+    double sum = 0;
+    for (int m = -reach; m <= reach; ++m) sum += std::exp(-0.5 * std::pow(m * spacing / sigma, 2));
+    for (int m = -reach; m <= reach; ++m)
+      weights[m + reach] = static_cast<float>(std::exp(-0.5 * std::pow(m * spacing / sigma, 2)) / sum);
+    return weights;
+  };
+  const auto across = kernel(g.spacing), along = kernel(g.spacingZ);
+  const int reach = static_cast<int>(across.size()) / 2, reachZ = static_cast<int>(along.size()) / 2;
+  const std::size_t planeSize = static_cast<std::size_t>(g.nx) * g.ny;
+  std::vector<float> result(field.values.size());
+#pragma omp parallel
+  {
+    std::vector<float> padded(g.nx + 2 * reach), plane(planeSize);
+#pragma omp for schedule(static)
+    for (int k = 0; k < g.nz; ++k) {
+      for (int j = 0; j < g.ny; ++j) {  // along x
+        const float* row = field.values.data() + g.row(j, k);
+        for (int i = 0; i < g.nx + 2 * reach; ++i) padded[i] = row[std::clamp(i - reach, 0, g.nx - 1)];
+        float* target = plane.data() + static_cast<std::size_t>(j) * g.nx;
+        std::fill_n(target, g.nx, 0.0F);
+        for (int m = 0; m <= 2 * reach; ++m)
+          for (int i = 0; i < g.nx; ++i) target[i] += across[m] * padded[i + m];
+      }
+      for (int j = 0; j < g.ny; ++j) {  // along y
+        float* target = result.data() + g.row(j, k);
+        std::fill_n(target, g.nx, 0.0F);
+        for (int m = -reach; m <= reach; ++m) {
+          const float* row = plane.data() + static_cast<std::size_t>(std::clamp(j + m, 0, g.ny - 1)) * g.nx;
+          for (int i = 0; i < g.nx; ++i) target[i] += across[m + reach] * row[i];
+        }
+      }
+    }
+#pragma omp for schedule(static)
+    for (int k = 0; k < g.nz; ++k) {  // along z
+      float* target = field.values.data() + g.row(0, k);
+      std::fill_n(target, planeSize, 0.0F);
+      for (int m = -reachZ; m <= reachZ; ++m) {
+        int source = std::abs(k + m);
+        if (source >= g.nz) source = 2 * (g.nz - 1) - source;
+        const float* from = result.data() + g.row(0, std::clamp(source, 0, g.nz - 1));
+        for (std::size_t n = 0; n < planeSize; ++n) target[n] += along[m + reachZ] * from[n];
+      }
+    }
+  }
+}
+
+void uniteRounded(GridField& field, const GridField& other, double width) {
+  const auto w = static_cast<float>(width);
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < field.values.size(); ++n) {
+    const float a = field.values[n], b = other.values[n];
+    const float overlap = std::max(0.0F, w - std::abs(a - b));
+    field.values[n] = std::min(a, b) - (w > 0 ? overlap * overlap / (4 * w) : 0.0F);
+  }
+}
+
+}  // namespace restenosis

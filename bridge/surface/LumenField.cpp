@@ -1,0 +1,92 @@
+#include "LumenField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+/// Values farther from a surface than this many spacings are not needed: trilinear interpolation, the joint
+/// of strut and tissue, and the blur reach less far.
+constexpr double bandSpacings = 3.0;
+
+struct Obstacles {
+  std::vector<Sphere> tissue, strut;
+  double outerRadius = 0;  ///< distance from the axis of the outermost tissue agent's centre [m]
+};
+
+Obstacles sortAgents(const AgentStore& agents) {
+  Obstacles found;
+  for (Index i = 0; i < agents.size(); ++i) {
+    const Sphere s{agents.position(i), agents.radius[i]};
+    if (agents.kind[i] == AgentKind::strut) {
+      found.strut.push_back(s);
+    } else {
+      found.tissue.push_back(s);
+      found.outerRadius = std::max(found.outerRadius, std::hypot(s.centre.x(), s.centre.y()));
+    }
+  }
+  return found;
+}
+
+void wallOff(GridField& field, double outerRadius, double clip) {
+  const LumenGrid& g = field.grid;
+#pragma omp parallel for schedule(static)
+  for (int k = 0; k < g.nz; ++k)
+    for (int j = 0; j < g.ny; ++j)
+      for (int i = 0; i < g.nx; ++i) {
+        float& v = field.values[g.index(i, j, k)];
+        const double inside = std::max(outerRadius - std::hypot(g.x(i), g.y(j)), -clip);
+        v = std::min(v, static_cast<float>(inside));
+      }
+}
+
+}  // namespace
+
+LumenField::LumenField(GridField tissue, GridField strut, bool hasStrut, double jointWidth)
+    : lumen_(tissue), tissue_(std::move(tissue)), strut_(std::move(strut)), hasStrut_(hasStrut) {
+  if (hasStrut_) uniteRounded(lumen_, strut_, jointWidth);
+  topology_ = keepLumen(lumen_, hasStrut_ ? &strut_ : nullptr);
+}
+
+LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const StrutSegment> struts,
+                                  double length, const LumenFieldSettings& settings) {
+  if (!(settings.smoothing >= 0 && settings.blurFraction >= 0 && settings.jointWidth >= 0))
+    throw std::invalid_argument("smoothing, blur and joint of a lumen field must not be negative");
+  Obstacles obstacles = sortAgents(agents);
+  if (obstacles.tissue.empty()) throw std::invalid_argument("a lumen field needs tissue around the lumen");
+  const double h = settings.resolution, clip = bandSpacings * h;
+  const LumenGrid grid(length, obstacles.outerRadius + 2 * h, h);
+
+  const double reach = settings.smoothing > 0 ? std::max(settings.smoothing + h, clip) : clip;
+  GridField tissue = sphereDistance(grid, obstacles.tissue, reach);
+  wallOff(tissue, obstacles.outerRadius, clip);
+  if (settings.smoothing > 0) {
+    tissue = closeByBall(tissue, settings.smoothing, clip);
+    blur(tissue, settings.blurFraction * settings.smoothing);
+  }
+  const bool hasStrut = !struts.empty() || !obstacles.strut.empty();
+  GridField strut = !struts.empty() ? strutDistance(grid, struts, clip) : hasStrut
+                        ? sphereDistance(grid, obstacles.strut, clip)
+                        : GridField(grid, static_cast<float>(clip));
+  return {std::move(tissue), std::move(strut), hasStrut, settings.jointWidth * h};
+}
+
+LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& distance, double length,
+                                    double halfWidth, double resolution) {
+  const LumenGrid grid(length, halfWidth, resolution);
+  GridField field(grid, 0.0F);
+  for (int k = 0; k < grid.nz; ++k)
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        field.values[grid.index(i, j, k)] = static_cast<float>(distance(grid.node(i, j, k)));
+  GridField noStrut(grid, static_cast<float>(halfWidth));
+  return {std::move(field), std::move(noStrut), false, 0.0};
+}
+
+bool LumenField::isStrut(const Vec3& point) const {
+  return hasStrut_ && std::abs(strut_.at(point)) < std::abs(tissue_.at(point));
+}
+
+}  // namespace restenosis

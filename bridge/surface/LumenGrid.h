@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// Nodes of a regular grid around a straight vessel. The first and last plane of nodes lie exactly on the
+/// vessel's ends z = 0 and z = length.
+struct LumenGrid {
+  /// A grid that reaches `halfWidth` [m] from the axis in x and y, with nodes `resolution` [m] apart (in z as
+  /// near to it as the length allows). Throws std::invalid_argument unless all three are positive and finite.
+  LumenGrid(double length, double halfWidth, double resolution);
+
+  double length;   ///< of the vessel [m]
+  double spacing;  ///< in x and y [m]
+  double spacingZ;
+  int nx, ny, nz;  ///< numbers of nodes
+
+  double x(int i) const { return (i - (nx - 1) / 2) * spacing; }
+  double y(int j) const { return (j - (ny - 1) / 2) * spacing; }
+  double z(int k) const { return k == nz - 1 ? length : k * spacingZ; }
+  Vec3 node(int i, int j, int k) const { return {x(i), y(j), z(k)}; }
+  std::size_t row(int j, int k) const { return (static_cast<std::size_t>(k) * ny + j) * nx; }
+  std::size_t index(int i, int j, int k) const { return row(j, k) + i; }
+  std::size_t size() const { return static_cast<std::size_t>(nx) * ny * nz; }
+};
+
+/// One number a node of a grid, trilinear between nodes.
+struct GridField {
+  GridField(const LumenGrid& grid, float value) : grid(grid), values(grid.size(), value) {}
+
+  LumenGrid grid;
+  std::vector<float> values;
+
+  /// Trilinear value at a point; a point beyond the grid takes the value of the nearest point on it.
+  double at(const Vec3& point) const;
+  /// The same, with the gradient of the trilinear function.
+  double at(const Vec3& point, Vec3& gradient) const;
+  /// Bilinear value within the plane of nodes k.
+  double inPlane(double x, double y, int k) const;
+};
+
+}  // namespace restenosis

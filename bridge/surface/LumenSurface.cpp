@@ -1,0 +1,107 @@
+#include "LumenSurface.h"
+
+#include <vtkCellArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+#include "SurfaceRelaxation.h"
+
+namespace restenosis {
+namespace {
+
+/// Far outside the lumen [m]: next to it, the isosurface comes to lie on the lumen's own node.
+constexpr float farOutside = -1.0F;
+
+/// The field as an image in node numbers, with one more plane before and behind. The outermost nodes are far
+/// outside, which closes the surface; at the ends the caps come to lie on the planes of nodes z = 0 and
+/// z = length.
+vtkNew<vtkImageData> paddedImage(const GridField& field, float clearance) {
+  const LumenGrid& g = field.grid;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(g.nx, g.ny, g.nz + 2);
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfTuples(static_cast<vtkIdType>(g.nx) * g.ny * (g.nz + 2));
+  float* values = array->GetPointer(0);
+  const std::size_t plane = static_cast<std::size_t>(g.nx) * g.ny;
+  std::fill_n(values, plane, farOutside);
+  std::fill_n(values + plane * (g.nz + 1), plane, farOutside);
+#pragma omp parallel for schedule(static)
+  for (int k = 0; k < g.nz; ++k)
+    for (int j = 0; j < g.ny; ++j)
+      for (int i = 0; i < g.nx; ++i) {
+        float v = field.values[g.index(i, j, k)];
+        if (std::abs(v) < clearance) v = v > 0 ? clearance : -clearance;
+        if (i == 0 || j == 0 || i == g.nx - 1 || j == g.ny - 1) v = std::min(v, -clearance);
+        values[plane * (k + 1) + static_cast<std::size_t>(j) * g.nx + i] = v;
+      }
+  image->GetPointData()->SetScalars(array);
+  return image;
+}
+
+/// Metres from node numbers; what lies within a ten-thousandth of a spacing of an end lies on it.
+Vec3 toMetres(const LumenGrid& g, const double (&p)[3]) {
+  const double k = p[2] - 1.0, tolerance = 1e-4;
+  const double z = k < tolerance ? 0.0 : k > g.nz - 1 - tolerance ? g.length : k * g.spacingZ;
+  return {g.x(0) + p[0] * g.spacing, g.y(0) + p[1] * g.spacing, z};
+}
+
+}  // namespace
+
+TriSurface extractSurface(const LumenField& field, const LumenSurfaceSettings& settings) {
+  if (field.occluded()) throw Occluded();
+  const LumenGrid& g = field.grid();
+  vtkNew<vtkFlyingEdges3D> isosurface;
+  isosurface->SetInputData(paddedImage(field.lumen(), static_cast<float>(settings.nodeClearance * g.spacing)));
+  isosurface->SetValue(0, 0.0);
+  isosurface->ComputeNormalsOff();
+  isosurface->ComputeGradientsOff();
+  isosurface->ComputeScalarsOff();
+  isosurface->Update();
+  vtkPolyData* mesh = isosurface->GetOutput();
+
+  TriSurface surface;
+  surface.vertices.resize(mesh->GetNumberOfPoints());
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    double p[3];
+    mesh->GetPoint(static_cast<vtkIdType>(v), p);
+    surface.vertices[v] = toMetres(g, p);
+  }
+  surface.triangles.reserve(mesh->GetNumberOfPolys());
+  vtkCellArray* cells = mesh->GetPolys();
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+    vtkIdType count;
+    const vtkIdType* ids;
+    cells->GetCellAtId(c, count, ids);
+    surface.triangles.push_back({static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
+                                 static_cast<std::uint32_t>(ids[2])});
+  }
+
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    volume += surface.areaVector(t).dot(surface.centre(t)) / 3;
+  if (volume < 0)
+    for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+
+  surface.region.reserve(surface.triangles.size());
+  for (const auto& t : surface.triangles) {
+    auto allAt = [&](double z) {
+      return surface.vertices[t[0]].z() == z && surface.vertices[t[1]].z() == z && surface.vertices[t[2]].z() == z;
+    };
+    surface.region.push_back(allAt(0)          ? SurfaceRegion::inlet
+                             : allAt(g.length) ? SurfaceRegion::outlet
+                                               : SurfaceRegion::wall);
+  }
+  relaxSurface(surface, field.lumen(), settings.relaxations);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (surface.region[t] == SurfaceRegion::wall && field.isStrut(surface.centre(t)))
+      surface.region[t] = SurfaceRegion::strut;
+  return surface;
+}
+
+}  // namespace restenosis

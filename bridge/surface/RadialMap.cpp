@@ -1,0 +1,136 @@
+#include "RadialMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+/// First root of the field along a ray of direction (c, s) in plane k, or `limit` if there is none.
+double castRay(const GridField& field, int k, double c, double s, double limit) {
+  auto value = [&](double r) { return field.inPlane(r * c, r * s, k); };
+  const double step = 0.5 * field.grid.spacing;
+  double before = 0, valueBefore = value(0);
+  if (valueBefore <= 0) return 0;
+  for (;;) {
+    double r = before + step, v = value(r);
+    if (v <= 0) {
+      // Within a step the bilinear function is nearly linear: false position with the Illinois rule.
+      double low = before, fLow = valueBefore, high = r, fHigh = v;
+      for (int n = 0; n < 20 && high - low > 1e-9 * step; ++n) {
+        r = low + (high - low) * fLow / (fLow - fHigh);
+        v = value(r);
+        if (v > 0) {
+          low = r, fLow = v, fHigh *= 0.5;
+        } else if (v < 0) {
+          high = r, fHigh = v, fLow *= 0.5;
+        } else {
+          break;
+        }
+        if (std::abs(v) < 1e-6 * step) break;
+      }
+      return r;
+    }
+    if (r >= limit) return limit;
+    before = r, valueBefore = v;
+  }
+}
+
+}  // namespace
+
+RadialMap::RadialMap(const LumenField& field, int angles) : angles_(angles) {
+  if (angles < 3) throw std::invalid_argument("a radial map needs at least three angles");
+  const LumenGrid& g = field.grid();
+  const double limit = g.x(g.nx - 1);
+  z_.resize(g.nz);
+  radius_.resize(static_cast<std::size_t>(g.nz) * angles);
+#pragma omp parallel for schedule(static)
+  for (int k = 0; k < g.nz; ++k) {
+    z_[k] = g.z(k);
+    for (int a = 0; a < angles; ++a)
+      radius_[static_cast<std::size_t>(k) * angles + a] =
+          castRay(field.lumen(), k, std::cos(angle(a)), std::sin(angle(a)), limit);
+  }
+}
+
+double RadialMap::angle(int index) const { return 2 * std::numbers::pi * index / angles_; }
+
+double RadialMap::planeWeight(int plane) const {
+  const int last = planes() - 1;
+  return 0.5 * (z_[std::min(plane + 1, last)] - z_[std::max(plane - 1, 0)]);
+}
+
+double RadialMap::meanRadius() const {
+  double sum = 0, weights = 0;
+  for (int k = 0; k < planes(); ++k) {
+    for (int a = 0; a < angles_; ++a) sum += planeWeight(k) * radius(k, a) / angles_;
+    weights += planeWeight(k);
+  }
+  return sum / weights;
+}
+
+double RadialMap::lumenArea(int plane) const {
+  double squares = 0;
+  for (int a = 0; a < angles_; ++a) squares += radius(plane, a) * radius(plane, a);
+  return std::numbers::pi * squares / angles_;
+}
+
+double RadialMap::minimalArea() const {
+  double least = lumenArea(0);
+  for (int k = 1; k < planes(); ++k) least = std::min(least, lumenArea(k));
+  return least;
+}
+
+bool RadialMap::comparable(const RadialMap& other) const {
+  return angles_ == other.angles_ && z_ == other.z_ && !z_.empty();
+}
+
+LumenDisplacement displacement(const RadialMap& before, const RadialMap& after) {
+  if (!before.comparable(after)) throw std::invalid_argument("radial maps differ in planes or angles");
+  std::vector<double> moved;
+  moved.reserve(static_cast<std::size_t>(before.planes()) * before.angles());
+  for (int k = 0; k < before.planes(); ++k)
+    for (int a = 0; a < before.angles(); ++a)
+      moved.push_back(std::abs(after.radius(k, a) - before.radius(k, a)));
+  LumenDisplacement d;
+  d.mean = std::accumulate(moved.begin(), moved.end(), 0.0) / static_cast<double>(moved.size());
+  d.largest = *std::max_element(moved.begin(), moved.end());
+  const auto rank = moved.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(moved.size() - 1));
+  std::nth_element(moved.begin(), rank, moved.end());
+  d.robust = *rank;
+  return d;
+}
+
+Neointima measureNeointima(const RadialMap& reference, const RadialMap& present, double from, double to) {
+  if (!reference.comparable(present)) throw std::invalid_argument("radial maps differ in planes or angles");
+  Neointima n;
+  n.thicknessByAngle.assign(reference.angles(), 0.0);
+  double weights = 0;
+  for (int k = 0; k < reference.planes(); ++k) {
+    if (reference.z(k) < from || reference.z(k) > to) continue;
+    const double weight = reference.planeWeight(k);
+    double thickness = 0;
+    for (int a = 0; a < reference.angles(); ++a) {
+      const double t = reference.radius(k, a) - present.radius(k, a);
+      thickness += t / reference.angles();
+      n.thicknessByAngle[a] += weight * t;
+    }
+    const double area = reference.lumenArea(k);
+    n.z.push_back(reference.z(k));
+    n.thickness.push_back(thickness);
+    n.areaFraction.push_back(area > 0 ? 1 - present.lumenArea(k) / area : 0.0);
+    n.meanThickness += weight * thickness;
+    n.meanAreaFraction += weight * n.areaFraction.back();
+    weights += weight;
+  }
+  if (weights <= 0) throw std::invalid_argument("no plane of the radial map lies in the section");
+  n.meanThickness /= weights;
+  n.meanAreaFraction /= weights;
+  for (double& t : n.thicknessByAngle) t /= weights;
+  return n;
+}
+
+}  // namespace restenosis
