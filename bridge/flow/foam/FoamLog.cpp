@@ -25,7 +25,7 @@ std::string read(const std::filesystem::path& file) {
 
 std::optional<std::string> meshingProblem(const std::string& snappyLog) {
   if (snappyLog.find("Finished meshing without any errors") != std::string::npos) return std::nullopt;
-  if (const auto rest = after(snappyLog, "Finished meshing with ")) return "finished meshing with " + *rest;
+  if (const auto rest = after(snappyLog, "Finished meshing with ")) return std::string("finished meshing with ").append(*rest);
   return "did not finish meshing";
 }
 
@@ -37,8 +37,11 @@ MeshReport meshReport(const std::string& checkMeshLog) {
     std::istringstream(*volume) >> report.volume;
   if (report.ok) return report;
   std::istringstream lines(checkMeshLog);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(" ***")) report.problem += (report.problem.empty() ? "" : "; ") + line.substr(4);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(" ***")) continue;
+    if (!report.problem.empty()) report.problem += "; ";
+    report.problem.append(line, 4);
+  }
   if (report.problem.empty()) report.problem = "did not report \"Mesh OK\"";
   return report;
 }
@@ -64,7 +67,8 @@ std::optional<std::string> fatalError(const std::string& log) {
       if (!reason.empty()) break;
       continue;
     }
-    reason += (reason.empty() ? "" : " ") + line.substr(start);
+    if (!reason.empty()) reason += ' ';
+    reason.append(line, start);
   }
   return reason;
 }

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include "FlowBackend.h"
+
+namespace restenosis::testing {
+
+/// A folder of its own, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "restenosisXXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The thesis vessel: radius 0.9 mm, mean velocity 0.133 m/s.
+inline constexpr double vesselRadius = 0.9e-3, vesselLength = 1.2e-3, meanVelocity = 0.133;
+
+inline FlowConditions vesselConditions() {
+  return {.drive = FlowConditions::Drive::flowRate,
+          .flowRate = meanVelocity * std::numbers::pi * vesselRadius * vesselRadius,
+          .pressureGradient = 8.0 * 2.7e-3 * meanVelocity / (vesselRadius * vesselRadius),
+          .density = 1000.0,
+          .kinematicViscosity = 2.7e-6};
+}
+/// 4 mu U / R [Pa]
+inline double vesselStress() { return 4.0 * 2.7e-3 * meanVelocity / vesselRadius; }
+
+/// Departure of the traction's magnitude from a uniform one on the faces from `zLow` to `zHigh`,
+/// area-weighted and relative.
+struct StressError {
+  double mean = 0.0, l2 = 0.0, maximum = 0.0;
+};
+inline StressError stressError(const FlowSolution& solution, double expected, double zLow, double zHigh) {
+  StressError e;
+  double area = 0.0;
+  for (const WallFace& f : solution.wall) {
+    if (f.region != SurfaceRegion::wall || f.centre.z() < zLow || f.centre.z() > zHigh) continue;
+    const double error = f.traction.norm() / expected - 1.0;
+    area += f.area;
+    e.mean += f.area * error;
+    e.l2 += f.area * error * error;
+    e.maximum = std::max(e.maximum, std::abs(error));
+  }
+  e.mean /= area;
+  e.l2 = std::sqrt(e.l2 / area);
+  return e;
+}
+
+}  // namespace restenosis::testing

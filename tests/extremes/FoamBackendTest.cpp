@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include "FlowSupport.h"
+#include "FoamBackend.h"
+#include "FoamLog.h"
+#include "FoamRun.h"
+#include "FoamTemplate.h"
+#include "LumenStl.h"
+#include "OpenFoamPresent.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+FoamSettings draft() { return FoamSettings::forFidelity("draft"); }
+
+/// What the backend says when the flow fails; empty when it does not.
+std::string failure(const TriSurface& lumen, const fs::path& folder, FoamSettings settings = draft(),
+                    fs::path* log = nullptr) {
+  try {
+    FoamBackend(settings).solve(lumen, vesselConditions(), folder);
+  } catch (const FlowFailed& error) {
+    if (log) *log = error.log;
+    return error.what();
+  }
+  return "";
+}
+
+#define EXPECT_SAYS(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)
+
+/// The PATH for the length of a test.
+class PathOnly {
+ public:
+  explicit PathOnly(const fs::path& folder) : before_(std::getenv("PATH")) {
+    setenv("PATH", folder.c_str(), 1);
+  }
+  ~PathOnly() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+TEST(FoamBackendFaults, holeAndNanAndScaleAreFoundBeforeMeshing) {
+  const ScratchFolder scratch;
+  auto hole = tube(vesselRadius, vesselLength);
+  hole.triangles.erase(hole.triangles.begin() + 100);
+  hole.region.erase(hole.region.begin() + 100);
+  EXPECT_SAYS(failure(hole, scratch.path() / "hole"), "not closed");
+  auto nan = tube(vesselRadius, vesselLength);
+  nan.vertices[50].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_SAYS(failure(nan, scratch.path() / "nan"), "not a number");
+  EXPECT_SAYS(failure(tube(1e3 * vesselRadius, 1e3 * vesselLength), scratch.path() / "large"), "length unit");
+  EXPECT_SAYS(failure(tube(1e-3 * vesselRadius, 1e-3 * vesselLength), scratch.path() / "small"),
+              "length unit");
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+TEST(FoamBackendFaults, leakingMeshIsFound) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const ScratchFolder scratch;
+  const auto folder = scratch.path() / "case";
+  const auto whole = tube(vesselRadius, vesselLength);
+  const auto lumen = measureLumen(whole, draft());
+  auto leaking = whole;
+  const auto first = 5 * 256, count = 2 * 6;  // six quadrilaterals half way along
+  leaking.triangles.erase(leaking.triangles.begin() + first, leaking.triangles.begin() + first + count);
+  leaking.region.erase(leaking.region.begin() + first, leaking.region.begin() + first + count);
+  copyFoamTemplate(foamTemplate(), folder);
+  const auto conditions = vesselConditions();
+  const auto settings = draft();
+  DictionaryText parameters(foamLog::read(folder / "system/lumenParameters"));
+  writeLumenParameters(parameters, lumen, conditions, settings, Effort::normal);
+  std::ofstream(folder / "system/lumenParameters") << parameters.text();
+  writeLumenStl(leaking, 0.2e-3, folder / "constant/triSurface/lumen.stl");
+  try {
+    FoamRun(folder, lumen, conditions, settings).mesh();
+    FAIL();
+  } catch (const FoamStepFailed& error) {
+    EXPECT_SAYS(std::string(error.what()), "leaks");
+  }
+}
+
+TEST(FoamBackendFaults, occlusionIsNamed) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const ScratchFolder scratch;
+  const double closed = 1e-5 * vesselRadius;
+  const auto lumen = revolve({{vesselRadius, 0},
+                              {vesselRadius, 0.3e-3},
+                              {closed, 0.6e-3},
+                              {closed, 0.7e-3},
+                              {vesselRadius, 0.9e-3},
+                              {vesselRadius, vesselLength}});
+  const auto message = failure(lumen, scratch.path() / "case");
+  EXPECT_SAYS(message, "closed");
+  EXPECT_SAYS(message, "outlet");
+}
+
+TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const ScratchFolder scratch;
+  FoamSettings settings = draft();
+  settings.iterations = 3;
+  fs::path log;
+  const auto message = failure(tube(vesselRadius, vesselLength), scratch.path() / "case", settings, &log);
+  EXPECT_SAYS(message, "simpleFoam");
+  EXPECT_SAYS(message, "not converged");
+  EXPECT_SAYS(message, "first attempt");
+  EXPECT_TRUE(fs::exists(log));
+  EXPECT_TRUE(fs::exists(scratch.path() / "case/firstAttempt/log.simpleFoam"));
+}
+
+TEST(FoamBackendFaults, missingProgramNamesItsPackage) {
+  const ScratchFolder scratch;
+  const PathOnly nothing(scratch.path());
+  const auto message = failure(tube(vesselRadius, vesselLength), scratch.path() / "case");
+  EXPECT_SAYS(message, "blockMesh");
+  EXPECT_SAYS(message, "apt install openfoam");
+}
+
+TEST(FoamBackendFaults, killedProgramIsNamedAndAnInterruptedOneNotTriedAgain) {
+  const ScratchFolder scratch;
+  for (const auto& [signal, words] : {std::pair{"9", "signal 9"}, {"15", "interrupted"}}) {
+    const auto programs = scratch.path() / "bin";
+    fs::create_directories(programs);
+    std::ofstream(programs / "blockMesh") << "#!/bin/sh\nkill -" << signal << " $$\n";
+    fs::permissions(programs / "blockMesh", fs::perms::owner_all);
+    const PathOnly fake(programs);
+    const auto message = failure(tube(vesselRadius, vesselLength), scratch.path() / "case");
+    EXPECT_SAYS(message, words);
+    EXPECT_EQ(message.find("first attempt") != std::string::npos, std::string(signal) == "9");
+  }
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "ExternalProgram.h"
+#include "FlowSupport.h"
+
+namespace restenosis {
+namespace {
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ExternalProgram, missingProgramIsNamed) {
+  try {
+    ExternalProgram("noSuchProgramHere");
+    FAIL();
+  } catch (const ProgramMissing& error) {
+    EXPECT_EQ(error.program, "noSuchProgramHere");
+    EXPECT_NE(std::string(error.what()).find("PATH"), std::string::npos);
+  }
+}
+
+TEST(ExternalProgram, outputErrorsAndStatusArrive) {
+  const testing::ScratchFolder scratch;
+  const auto log = scratch.path() / "log";
+  const auto exit = ExternalProgram("sh")
+                        .setEnvironment("GREETING", "a b;c")
+                        .run({"-c", "echo \"$GREETING\"; pwd; echo wrong >&2; exit 3"}, scratch.path(), log);
+  EXPECT_FALSE(exit.succeeded());
+  EXPECT_EQ(exit.status, 3);
+  EXPECT_EQ(exit.describe(), "exit status 3");
+  EXPECT_EQ(textOf(log), "a b;c\n" + scratch.path().string() + "\nwrong\n");
+}
+
+TEST(ExternalProgram, argumentsAreNotInterpreted) {
+  const testing::ScratchFolder scratch;
+  EXPECT_TRUE(ExternalProgram("echo").run({"$HOME; *"}, scratch.path(), scratch.path() / "log").succeeded());
+  EXPECT_EQ(textOf(scratch.path() / "log"), "$HOME; *\n");
+}
+
+TEST(ExternalProgram, signalIsTold) {
+  const testing::ScratchFolder scratch;
+  const auto killed = ExternalProgram("sh").run({"-c", "kill -9 $$"}, scratch.path(), scratch.path() / "log");
+  EXPECT_EQ(killed.signal, SIGKILL);
+  EXPECT_FALSE(killed.interrupted());
+  const auto stopped =
+      ExternalProgram("sh").run({"-c", "kill -15 $$"}, scratch.path(), scratch.path() / "log");
+  EXPECT_TRUE(stopped.interrupted());
+}
+
+TEST(ExternalProgram, missingFolderIsAnError) {
+  const testing::ScratchFolder scratch;
+  EXPECT_THROW(ExternalProgram("true").run({}, scratch.path() / "absent", scratch.path() / "log"),
+               std::runtime_error);
+  EXPECT_THROW(ExternalProgram("true").run({}, scratch.path(), scratch.path() / "absent/log"),
+               std::runtime_error);
+}
+
+TEST(ExternalProgram, diesWithItsParent) {
+  const testing::ScratchFolder scratch;
+  const auto log = scratch.path() / "log";
+  const pid_t parent = fork();
+  if (parent == 0) {
+    ExternalProgram("sh").run({"-c", "echo $$; exec sleep 30"}, scratch.path(), log);
+    _exit(0);
+  }
+  const auto until = [](auto condition) {
+    for (int i = 0; i < 500 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return condition();
+  };
+  ASSERT_TRUE(until([&] { return textOf(log).ends_with('\n'); }));
+  const pid_t child = std::stoi(textOf(log));
+  ASSERT_EQ(kill(child, 0), 0);
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  // Gone, or dead and waiting for init
+  EXPECT_TRUE(until([&] {
+    const auto stat = textOf("/proc/" + std::to_string(child) + "/stat");
+    return stat.empty() || stat.find(") Z ") != std::string::npos;
+  }));
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "FlowSupport.h"
+#include "FoamLog.h"
+#include "FoamTemplate.h"
+#include "LumenCase.h"
+#include "LumenStl.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+DictionaryText templateParameters() {
+  return DictionaryText(foamLog::read(foamTemplate() / "system/lumenParameters"));
+}
+
+TEST(LumenCase, numbersAreWrittenInMillimetres) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  const auto lumen = measureLumen(stentedTube(vesselRadius, vesselLength, 90e-6), settings);
+  auto text = templateParameters();
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal);
+  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
+  EXPECT_NEAR(number("kinematicViscosity"), 2.7, 1e-12);
+  EXPECT_NEAR(number("flowRate"), 338.4438, 1e-3);
+  EXPECT_NEAR(number("inletRadius"), 0.9, 1e-9);
+  EXPECT_NEAR(number("outletZ"), 1.2, 1e-12);
+  EXPECT_NEAR(number("pressureDrop"), 4256.0, 0.1);
+  EXPECT_EQ(number("cellsZ"), 13);
+  EXPECT_NEAR((number("xMax") - number("xMin")) / number("cellsX"), 0.09, 1e-12);
+  EXPECT_GT(number("xMax"), 0.9 + 0.09);
+  EXPECT_EQ(text.get("struts"), "yes");
+  EXPECT_EQ(text.get("drive"), "flowRate");
+}
+
+TEST(LumenCase, robustEffortChangesMesherAndSolver) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  const auto lumen = measureLumen(tube(vesselRadius, vesselLength), settings);
+  auto text = templateParameters();
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::robust);
+  EXPECT_EQ(text.get("meshing"), "thorough");
+  EXPECT_EQ(text.get("relaxation"), "0.6000000000000001");
+  EXPECT_EQ(text.get("struts"), "no");
+}
+
+TEST(LumenCase, wrongScaleIsNamed) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  for (const double scale : {1e-3, 1e3}) try {
+      measureLumen(tube(scale * vesselRadius, scale * vesselLength), settings);
+      ADD_FAILURE() << scale;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("length unit"), std::string::npos);
+    }
+}
+
+TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "lumen.stl";
+  writeLumenStl(tube(1e-3, 1e-3, 1), 0.2e-3, file);
+  const auto plain = foamLog::read(file);
+  EXPECT_TRUE(plain.starts_with("solid wall\n"));
+  EXPECT_EQ(plain.find("strut"), std::string::npos);
+  std::size_t facets = 0;
+  for (auto at = plain.find("endfacet"); at != std::string::npos; at = plain.find("endfacet", at + 1))
+    ++facets;
+  EXPECT_EQ(facets, 3u * 256u);  // the tube and a rim at either end
+  EXPECT_NE(plain.find(" -0.2\n"), std::string::npos);
+  EXPECT_NE(plain.find(" 1.2\n"), std::string::npos);
+  writeLumenStl(stentedTube(1e-3, 1e-3, 1e-4), 0.2e-3, file);
+  EXPECT_NE(foamLog::read(file).find("endsolid wall\nsolid strut\n"), std::string::npos);
+}
+
+TEST(FoamTemplate, foreignFilesAreNotOverwritten) {
+  const ScratchFolder scratch;
+  copyFoamTemplate(foamTemplate(), scratch.path() / "case");
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / "case/0.orig/U"));
+  EXPECT_NO_THROW(copyFoamTemplate(foamTemplate(), scratch.path() / "case"));
+  EXPECT_THROW(copyFoamTemplate(foamTemplate(), scratch.path()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "LumenShape.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(LumenShape, tubeHasItsVolumeAndEnds) {
+  const TriSurface lumen = testing::tube(0.9e-3, 1.2e-3);
+  EXPECT_NO_THROW(requireLumen(lumen));
+  EXPECT_NEAR(enclosedVolume(lumen) / (pi * 0.81e-6 * 1.2e-3), 1.0, 1e-12);
+  const LumenEnd outlet = lumenEnd(lumen, SurfaceRegion::outlet);
+  EXPECT_NEAR(outlet.area / (pi * 0.81e-6), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(outlet.z, 1.2e-3);
+  EXPECT_NEAR((outlet.centre - Vec3(0, 0, 1.2e-3)).norm(), 0.0, 1e-12);
+}
+
+TEST(LumenShape, crossSectionsOfACone) {
+  const TriSurface cone = testing::revolve({{1e-3, 0.0}, {0.5e-3, 1e-3}});
+  const std::vector<double> z = {0.0, 0.25e-3, 0.5e-3, 0.9e-3};
+  const auto areas = crossSectionAreas(cone, z);
+  for (std::size_t i = 1; i < z.size(); ++i) {
+    const double radius = 1e-3 - 0.5 * z[i];
+    // Quadrilaterals of the cone are split into triangles whose diagonals cut the corners of the contour
+    EXPECT_NEAR(areas[i] / (pi * radius * radius), 1.0, 1e-3) << z[i];
+  }
+}
+
+TEST(LumenShape, damageIsNamed) {
+  const auto messageOf = [](TriSurface lumen, auto damage) -> std::string {
+    damage(lumen);
+    try {
+      requireLumen(lumen);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const TriSurface good = testing::tube(1e-3, 1e-3);
+  EXPECT_NE(
+      messageOf(good, [](TriSurface& s) { s.triangles.erase(s.triangles.begin() + 9), s.region.pop_back(); })
+          .find("not closed: 3 edges"),
+      std::string::npos);
+  EXPECT_NE(
+      messageOf(good, [](TriSurface& s) { s.vertices[7].x() = std::numeric_limits<double>::quiet_NaN(); })
+          .find("not a number"),
+      std::string::npos);
+  EXPECT_NE(messageOf(good,
+                      [](TriSurface& s) {
+                        for (auto& t : s.triangles) std::swap(t[0], t[1]);
+                      })
+                .find("normals"),
+            std::string::npos);
+  EXPECT_NE(messageOf(good,
+                      [](TriSurface& s) {
+                        for (auto& r : s.region) r = SurfaceRegion::wall;
+                      })
+                .find("no inlet"),
+            std::string::npos);
+  EXPECT_NE(messageOf(good, [](TriSurface& s) { s.vertices[0].z() = 1e-4; }).find("plane of constant z"),
+            std::string::npos);
+  EXPECT_NE(
+      messageOf(good, [](TriSurface& s) { s.triangles.clear(), s.region.clear(); }).find("no triangles"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace restenosis
