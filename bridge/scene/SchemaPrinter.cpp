@@ -75,9 +75,13 @@ std::string printed(const Units& units, Print&& print) {
   return text;
 }
 
-std::string markdownCell(std::string text) {
-  for (auto at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
-  return text;
+std::string markdownCell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) {
+    if (c == '|') cell += '\\';
+    cell += c;
+  }
+  return cell;
 }
 
 std::string markdownRow(const Row& row) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +13,7 @@ class SceneChecksTest : public ::testing::Test {
  protected:
   /// The one finding of a scene of these lines and the head, or all of them.
   std::string finding(const std::string& lines, const std::string& duration = "1 d") const {
-    const std::string head = "[scene]\nduration = \"" + duration + "\"\n";
+    const std::string head = fmt::format("[scene]\nduration = \"{}\"\n", duration);
     try {
       SceneReader(units).readText(head + lines, "x.toml");
       return "accepted";

@@ -108,7 +108,8 @@ TEST_F(SceneReaderTest, ExplainsWrongUnits) {
   expectOne(start + "[flow]\nmeanVelocity = \"1 mm\"\n", 11,
             {"'meanVelocity' in [flow]", "expected a velocity"});
   expectOne(start + "[flow]\nmeanVelocity = \"1\"\n", 11, {"has no unit", "m/s"});
-  expectOne(start + "[flow]\nmeanVelocity = \"1 smoots\"\n", 11, {"'smoots' is not a unit", "expected a velocity"});
+  expectOne(start + "[flow]\nmeanVelocity = \"1 smoots\"\n", 11,
+            {"'smoots' is not a unit", "expected a velocity"});
   expectOne(start + "[flow]\nmeanVelocity = \"nan m/s\"\n", 11, {"not a finite number"});
   expectOne(start + "[flow]\nmeanVelocity = \"\"\n", 11, {"is empty"});
 }
