@@ -1,0 +1,84 @@
+#include "SceneFingerprint.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include "StateArchive.h"
+
+namespace restenosis {
+namespace {
+
+std::string contentDigest(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) throw std::runtime_error(fmt::format("{} cannot be read", file));
+  return digestOf(content);
+}
+
+class ValueCollector : public ParameterVisitor {
+ public:
+  ValueCollector(std::string_view section, bool fileContents, std::map<std::string, std::string>& values)
+      : section_(section), fileContents_(fileContents), values_(values) {}
+
+  void quantity(double& value, const ParameterInfo& info) override {
+    add(info, fmt::format("{}", value + 0.0));  // -0 is 0
+  }
+  void integer(std::int64_t& value, const ParameterInfo& info) override {
+    add(info, fmt::format("{}", value));
+  }
+  void boolean(bool& value, const ParameterInfo& info) override { add(info, value ? "true" : "false"); }
+  void choice(std::string& value, const std::vector<std::string_view>&, const ParameterInfo& info) override {
+    add(info, value);
+  }
+  void text(std::string& value, const ParameterInfo& info) override { add(info, value); }
+  void file(std::string& value, const ParameterInfo& info) override {
+    add(info, fileContents_ && !value.empty() ? contentDigest(value) : value);
+  }
+
+ private:
+  void add(const ParameterInfo& info, std::string value) {
+    values_[fmt::format("{}.{}", section_, info.key)] = std::move(value);
+  }
+
+  std::string_view section_;
+  bool fileContents_;
+  std::map<std::string, std::string>& values_;
+};
+
+std::map<std::string, std::string> collect(Scene scene, bool fileContents) {
+  std::map<std::string, std::string> values;
+  scene.forEachSection([&](auto& section, bool present) {
+    if (!present) return;
+    values[std::string(section.section)] = "modelled";
+    ValueCollector collector(section.section, fileContents, values);
+    section.describe(collector);
+  });
+  return values;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> sceneValues(const Scene& scene) { return collect(scene, false); }
+
+std::map<std::string, std::string> decisiveValues(const Scene& scene) {
+  auto values = collect(scene, true);
+  std::erase_if(values, [](const auto& entry) {
+    return entry.first == "scene.title" || entry.first == "scene.duration" ||
+           entry.first.starts_with("output");
+  });
+  return values;
+}
+
+std::string sceneFingerprint(const Scene& scene) {
+  auto values = decisiveValues(scene);
+  HashingArchive archive;
+  archive(values);
+  return archive.digest();
+}
+
+}  // namespace restenosis

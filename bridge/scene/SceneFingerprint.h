@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "Scene.h"
+
+namespace restenosis {
+
+/// Every key of every modelled section as "section.key" -> value, in SI units and exact; what two scenes
+/// differ in can be read off two of these.
+std::map<std::string, std::string> sceneValues(const Scene& scene);
+
+/// The same, of what a run's state depends on: without `scene.title`, without [output], and without
+/// `scene.duration`, so that a finished run can be resumed for longer. Input files count with their contents,
+/// wherever they lie. Throws std::runtime_error when one cannot be read.
+std::map<std::string, std::string> decisiveValues(const Scene& scene);
+
+/// A hash over `decisiveValues`: two scenes with one fingerprint have the same states at the same times.
+/// A checkpoint may be resumed under any scene with its fingerprint.
+std::string sceneFingerprint(const Scene& scene);
+
+}  // namespace restenosis

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "SceneChecks.h"
+#include "SceneReader.h"
+
+namespace restenosis {
+namespace {
+
+class SceneChecksTest : public ::testing::Test {
+ protected:
+  /// The one finding of a scene of these lines and the head, or all of them.
+  std::string finding(const std::string& lines, const std::string& duration = "1 d") const {
+    const std::string head = fmt::format("[scene]\nduration = \"{}\"\n", duration);
+    try {
+      SceneReader(units).readText(head + lines, "x.toml");
+      return "accepted";
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+  }
+  static bool starts(const std::string& text, const std::string& with) { return text.rfind(with, 0) == 0; }
+  const std::string vessel = "[vessel]\nlength = \"1.2 mm\"\nlumenDiameter = \"1.8 mm\"\n";  // lines 3 to 5
+  Units units;
+};
+
+#define EXPECT_STARTS(text, with) EXPECT_TRUE(starts(text, with)) << (text)
+
+TEST_F(SceneChecksTest, DurationIsAWholeNumberOfSteps) {
+  EXPECT_STARTS(finding(vessel, "30 min"), "x.toml:2: 'duration' is 0.5 h, shorter than one step of 1 h");
+  EXPECT_STARTS(finding(vessel, "90 min"), "x.toml:2: 'duration' is 1.5 h, not a whole number of steps");
+  EXPECT_STARTS(finding(vessel + "[scene.x]\n"), "x.toml:");
+  EXPECT_STARTS(finding(vessel, "0.1 d"), "x.toml:2: 'duration' is 2.4 h");
+}
+
+TEST_F(SceneChecksTest, SectionsNeedEachOther) {
+  EXPECT_STARTS(finding(vessel + "[stent]\n"), "x.toml:6: [stent] needs [mechanics]");
+  EXPECT_STARTS(finding(vessel + "[injury]\n"), "x.toml:6: [injury] needs [mechanics]");
+  EXPECT_STARTS(finding(vessel + "[cellCycle]\n"), "x.toml:6: [cellCycle] needs [mechanics]");
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n[contactInhibition]\n"),
+                "x.toml:7: [contactInhibition] needs [cellCycle]");
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n[endothelium]\n"),
+                "x.toml:7: [endothelium] needs [cellCycle]");
+  // A misspelt section is blamed once, not again by those that need it.
+  const std::string misspelt = finding(vessel + "[mechnics]\n[stent]\n");
+  EXPECT_STARTS(misspelt, "x.toml:6: unknown section [mechnics]");
+  EXPECT_EQ(misspelt.find('\n'), std::string::npos) << misspelt;
+}
+
+TEST_F(SceneChecksTest, StenosisIsForVesselsWithoutTissue) {
+  EXPECT_EQ(finding(vessel + "stenosis = 0.5\nstenosisLength = \"1 mm\"\n"), "accepted");
+  EXPECT_STARTS(finding(vessel + "stenosis = 0.5\nstenosisLength = \"1 mm\"\n[mechanics]\n"),
+                "x.toml:6: 'stenosis' shapes a vessel without tissue");
+  EXPECT_STARTS(finding(vessel + "stenosis = 0.5\nstenosisLength = \"2 mm\"\n"),
+                "x.toml:7: 'stenosisLength' is 2 mm, longer than the vessel (1.2 mm)");
+}
+
+TEST_F(SceneChecksTest, TheStentFitsTheVessel) {
+  const std::string stent = vessel + "[mechanics]\n[stent]\n";  // lines 6 and 7
+  EXPECT_EQ(finding(stent), "accepted");                        // one ring needs no length
+  EXPECT_STARTS(finding(stent + "length = \"5 mm\"\n"),
+                "x.toml:8: the stent's 'length' is 5 mm, longer than the vessel (1.2 mm)");
+  EXPECT_STARTS(finding(stent + "design = \"helix\"\n"), "x.toml:7: the stent's 'length' is 3.5 mm");
+  EXPECT_STARTS(finding(stent + "strutThickness = \"0.95 mm\"\n"),
+                "x.toml:8: 'strutThickness' is 0.95 mm: a strut thicker than the lumen");
+  EXPECT_STARTS(finding(stent + "deploymentDepth = \"250 um\"\n"),
+                "x.toml:8: 'deploymentDepth' is 250 um, but the wall is only 200 um");
+}
+
+TEST_F(SceneChecksTest, TheWallHasRoomForItsLayers) {
+  EXPECT_EQ(finding(vessel + "cellRadius = \"33 um\"\n[mechanics]\n"), "accepted");
+  EXPECT_STARTS(finding(vessel + "cellRadius = \"34 um\"\n[mechanics]\n"),
+                "x.toml:6: 'cellRadius' is 34 um; at most 33.3 um");
+  EXPECT_EQ(finding(vessel + "cellRadius = \"34 um\"\n"), "accepted");  // no tissue, no cells
+  EXPECT_STARTS(finding(vessel + "cellRadius = \"1 um\"\n[mechanics]\n"),
+                "x.toml:6: cells of radius 1 um make about 2.2e+08 agents");
+}
+
+TEST_F(SceneChecksTest, CountsTheAgentsOfTheThesisVessel) {
+  Scene scene;
+  EXPECT_EQ(estimatedAgents(scene), 0);
+  scene.mechanics.emplace();
+  EXPECT_NEAR(estimatedAgents(scene), 248000, 2000);  // packed: 248,000 (model 2)
+}
+
+TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n[cellCycle]\ng1Spread = \"6 h\"\n"),
+                "x.toml:8: 'g1Spread' is 6 h");
+  EXPECT_STARTS(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"0 Pa/m\"\n"),
+                "x.toml:8: 'pressureGradient' is 0");
+  EXPECT_STARTS(finding(vessel + "[coupling]\nsurfaceResolution = \"200 um\"\n"),
+                "x.toml:7: 'surfaceResolution' is 200 um");
+}
+
+}  // namespace
+}  // namespace restenosis

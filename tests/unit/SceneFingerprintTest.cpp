@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "SceneFingerprint.h"
+
+namespace restenosis {
+namespace {
+
+TEST(SceneFingerprint, FollowsWhatInfluencesResultsOnly) {
+  Scene scene;
+  const std::string reference = sceneFingerprint(scene);
+  scene.name = "other", scene.scene.title = "other", scene.scene.duration = 1e6;
+  scene.output.interval = 1, scene.output.pictures = false;
+  EXPECT_EQ(sceneFingerprint(scene), reference);
+
+  Scene seed, length, present, tolerance;
+  seed.scene.seed = 2;
+  length.vessel.length *= 1 + 1e-15;
+  present.mechanics.emplace();
+  tolerance.coupling.lumenTolerance *= 2;
+  for (const Scene* changed : {&seed, &length, &present, &tolerance}) {
+    EXPECT_NE(sceneFingerprint(*changed), reference);
+  }
+}
+
+TEST(SceneFingerprint, CountsFilesByTheirContents) {
+  const auto folder = std::filesystem::path(::testing::TempDir());
+  const auto first = (folder / "fingerprint1.csv").string(), second = (folder / "fingerprint2.csv").string();
+  std::ofstream(first) << "1,2,3\n";
+  std::ofstream(second) << "1,2,3\n";
+  Scene scene;
+  scene.vessel.agents = first;
+  const std::string reference = sceneFingerprint(scene);
+  scene.vessel.agents = second;
+  EXPECT_EQ(sceneFingerprint(scene), reference);
+  std::ofstream(second) << "1,2,4\n";
+  EXPECT_NE(sceneFingerprint(scene), reference);
+  std::filesystem::remove(first);
+  std::filesystem::remove(second);
+  EXPECT_THROW(sceneFingerprint(scene), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace restenosis

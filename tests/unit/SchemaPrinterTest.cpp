@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "Scene.h"
+#include "SchemaPrinter.h"
+
+namespace restenosis {
+namespace {
+
+TEST(SchemaPrinter, ListsEverySectionWithUnitsBoundsAndSources) {
+  const Units units;
+  const std::string text = schemaText(units), markdown = schemaMarkdown(units);
+  Scene scene;
+  scene.forEachSection([&](auto& section, bool) {
+    const std::string heading = fmt::format("[{}]", section.section);
+    EXPECT_NE(text.find(heading), std::string::npos);
+    EXPECT_NE(markdown.find(fmt::format("## {}", heading)), std::string::npos);
+  });
+  EXPECT_NE(
+      markdown.find("| deploymentDepth | quantity | um | 110 um | at least 0 um, at most 1000 um | ISR3D |"),
+      std::string::npos);
+  EXPECT_NE(markdown.find("| length | quantity | mm | required | larger than 0 mm, at most 1000 mm | T6 |"),
+            std::string::npos);
+  EXPECT_NE(text.find("allowed: flowRate, pressureGradient"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace restenosis
