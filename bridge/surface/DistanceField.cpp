@@ -90,9 +90,10 @@ GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < g.nz; ++k) {
     for (const StrutSegment& s : struts) {
-      // Ends overlap at joints by half a width, so a box reaches at most this far from its centreline.
-      const double reach = clip + s.width + s.thickness;
-      if (g.z(k) < std::min(s.a.z(), s.b.z()) - reach || g.z(k) > std::max(s.a.z(), s.b.z()) + reach) continue;
+      // No point of a segment is farther from its centreline than this.
+      const double reach = clip + s.width + s.thickness + s.overlap;
+      if (g.z(k) < std::min(s.a.z(), s.b.z()) - reach || g.z(k) > std::max(s.a.z(), s.b.z()) + reach)
+        continue;
       const Vec3 middle = 0.5 * (s.a + s.b), half = 0.5 * (s.a - s.b).cwiseAbs();
       const Range rows(middle.y(), half.y() + reach, g.y(0), g.spacing, g.ny);
       const Range nodes(middle.x(), half.x() + reach, g.x(0), g.spacing, g.nx);

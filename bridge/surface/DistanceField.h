@@ -13,8 +13,8 @@ struct Sphere {
   double radius;  ///< [m]
 };
 
-/// Signed distance [m] to the union of spheres, positive outside them, clipped at `clip`. Within a distance of
-/// `clip` from a sphere the values outside the union are exact; inside, they are the depth in the deepest
+/// Signed distance [m] to the union of spheres, positive outside them, clipped at `clip`. Within a distance
+/// of `clip` from a sphere the values outside the union are exact; inside, they are the depth in the deepest
 /// sphere. The vessel's ends are mirrors, so that a surface meets them at a right angle instead of flaring
 /// where the spheres end. The same bit for bit for any number of threads.
 GridField sphereDistance(const LumenGrid& grid, std::span<const Sphere> spheres, double clip);

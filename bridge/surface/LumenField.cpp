@@ -67,9 +67,9 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
     blur(tissue, settings.blurFraction * settings.smoothing);
   }
   const bool hasStrut = !struts.empty() || !obstacles.strut.empty();
-  GridField strut = !struts.empty() ? strutDistance(grid, struts, clip) : hasStrut
-                        ? sphereDistance(grid, obstacles.strut, clip)
-                        : GridField(grid, static_cast<float>(clip));
+  GridField strut = !struts.empty() ? strutDistance(grid, struts, clip)
+                    : hasStrut      ? sphereDistance(grid, obstacles.strut, clip)
+                                    : GridField(grid, static_cast<float>(clip));
   return {std::move(tissue), std::move(strut), hasStrut, settings.jointWidth * h};
 }
 

@@ -12,7 +12,8 @@ namespace restenosis {
 /// How the lumen is taken from agents. SI units.
 struct LumenFieldSettings {
   double resolution = 15e-6;  ///< spacing of the distance field [m] (assumed: half a cell)
-  double smoothing = 30e-6;   ///< cell scale at which the tissue's surface is smoothed [m] (ISR3D); 0: not at all
+  double smoothing =
+      30e-6;  ///< cell scale at which the tissue's surface is smoothed [m] (ISR3D); 0: not at all
   double blurFraction = 0.5;  ///< standard deviation of the final blur over `smoothing` (assumed)
   double jointWidth = 2.0;    ///< width over which strut and tissue are joined, over `resolution` (assumed)
 };
@@ -27,8 +28,8 @@ struct LumenFieldSettings {
 /// LumenFieldTest. A lumen narrower than twice `smoothing` is closed by this.
 ///
 /// Struts enter as exact distances after the smoothing, so their edges stay; where they meet tissue, corners
-/// are rounded and slits narrower than the grid spacing close (`uniteRounded`). With segments given, agents of
-/// kind `strut` are ignored; without, they are the struts.
+/// are rounded and slits narrower than the grid spacing close (`uniteRounded`). With segments given, agents
+/// of kind `strut` are ignored; without, they are the struts.
 ///
 /// Beyond the outermost tissue agent there is no lumen, whatever holes the wall has.
 class LumenField {
@@ -43,7 +44,8 @@ class LumenField {
   const LumenGrid& grid() const { return lumen_.grid; }
   /// Distance to tissue and struts, positive in the lumen; clipped at some grid spacings.
   const GridField& lumen() const { return lumen_; }
-  /// Whether a point on the surface belongs to a strut: is nearer to the struts' than to the tissue's surface.
+  /// Whether a point on the surface belongs to a strut: is nearer to the struts' than to the tissue's
+  /// surface.
   bool isStrut(const Vec3& point) const;
   /// Whether no lumen joins inlet and outlet: a defined outcome. Nothing is flipped then, and no surface can
   /// be taken.

@@ -30,7 +30,7 @@ struct LumenGrid {
 
 /// One number a node of a grid, trilinear between nodes.
 struct GridField {
-  GridField(const LumenGrid& grid, float value) : grid(grid), values(grid.size(), value) {}
+  GridField(const LumenGrid& nodes, float value) : grid(nodes), values(nodes.size(), value) {}
 
   LumenGrid grid;
   std::vector<float> values;

@@ -1,13 +1,14 @@
 #include "LumenSurface.h"
 
 #include <vtkCellArray.h>
-#include <vtkFlyingEdges3D.h>
 #include <vtkFloatArray.h>
+#include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "SurfaceRelaxation.h"
@@ -57,7 +58,8 @@ TriSurface extractSurface(const LumenField& field, const LumenSurfaceSettings& s
   if (field.occluded()) throw Occluded();
   const LumenGrid& g = field.grid();
   vtkNew<vtkFlyingEdges3D> isosurface;
-  isosurface->SetInputData(paddedImage(field.lumen(), static_cast<float>(settings.nodeClearance * g.spacing)));
+  isosurface->SetInputData(
+      paddedImage(field.lumen(), static_cast<float>(settings.nodeClearance * g.spacing)));
   isosurface->SetValue(0, 0.0);
   isosurface->ComputeNormalsOff();
   isosurface->ComputeGradientsOff();
@@ -91,7 +93,8 @@ TriSurface extractSurface(const LumenField& field, const LumenSurfaceSettings& s
   surface.region.reserve(surface.triangles.size());
   for (const auto& t : surface.triangles) {
     auto allAt = [&](double z) {
-      return surface.vertices[t[0]].z() == z && surface.vertices[t[1]].z() == z && surface.vertices[t[2]].z() == z;
+      return surface.vertices[t[0]].z() == z && surface.vertices[t[1]].z() == z &&
+             surface.vertices[t[2]].z() == z;
     };
     surface.region.push_back(allAt(0)          ? SurfaceRegion::inlet
                              : allAt(g.length) ? SurfaceRegion::outlet

@@ -14,8 +14,9 @@ struct Occluded : std::runtime_error {
 
 /// How an isosurface is made a good mesh.
 struct LumenSurfaceSettings {
-  int relaxations = 5;          ///< passes that even out triangles within the surface (assumed)
-  double nodeClearance = 0.02;  ///< least |distance| at a node over the spacing: keeps vertices apart (assumed)
+  int relaxations = 5;  ///< passes that even out triangles within the surface (assumed)
+  double nodeClearance =
+      0.02;  ///< least |distance| at a node over the spacing: keeps vertices apart (assumed)
 };
 
 /// The closed surface of a lumen: isosurface 0 of the field (flying edges), planar caps exactly at z = 0 and

@@ -22,10 +22,10 @@ class RadialMap {
   double radius(int plane, int angle) const {
     return radius_[static_cast<std::size_t>(plane) * angles_ + angle];
   }
-  double meanRadius() const;                   ///< over planes (trapezoidal) and angles [m]
-  double lumenArea(int plane) const;           ///< of a cross-section as seen from the axis [m^2]
-  double minimalArea() const;                  ///< [m^2]
-  double planeWeight(int plane) const;         ///< length of vessel a plane stands for [m]
+  double meanRadius() const;            ///< over planes (trapezoidal) and angles [m]
+  double lumenArea(int plane) const;    ///< of a cross-section as seen from the axis [m^2]
+  double minimalArea() const;           ///< [m^2]
+  double planeWeight(int plane) const;  ///< length of vessel a plane stands for [m]
   bool comparable(const RadialMap& other) const;
 
   template <class Archive>
@@ -46,22 +46,23 @@ struct LumenDisplacement {
 };
 
 /// Compares two maps on the same planes and angles; throws std::invalid_argument if they are not. The robust
-/// measure is the 99th percentile of |dR|: the largest is set by a single ray that passes or meets the edge of
-/// one cell or strut, the mean hides growth that is confined to a few struts.
+/// measure is the 99th percentile of |dR|: the largest is set by a single ray that passes or meets the edge
+/// of one cell or strut, the mean hides growth that is confined to a few struts.
 LumenDisplacement displacement(const RadialMap& before, const RadialMap& after);
 
 /// Neointima (model 10): the post-deployment lumen minus the present one.
 struct Neointima {
-  double meanThickness = 0;             ///< over the section asked for [m]
-  double meanAreaFraction = 0;          ///< 1 - lumen / post-deployment lumen area, mean over the section
-  std::vector<double> z;                ///< planes of the section [m]
-  std::vector<double> thickness;        ///< mean over the angles, by plane [m]
-  std::vector<double> areaFraction;     ///< by plane
-  std::vector<double> thicknessByAngle; ///< mean over the section, by angle [m]
+  double meanThickness = 0;              ///< over the section asked for [m]
+  double meanAreaFraction = 0;           ///< 1 - lumen / post-deployment lumen area, mean over the section
+  std::vector<double> z;                 ///< planes of the section [m]
+  std::vector<double> thickness;         ///< mean over the angles, by plane [m]
+  std::vector<double> areaFraction;      ///< by plane
+  std::vector<double> thicknessByAngle;  ///< mean over the section, by angle [m]
 };
 
-/// Measures the neointima between axial positions `from` and `to` [m]. Thickness is signed: where the lumen has
-/// widened it is negative. Throws std::invalid_argument for maps on different planes, or a section without one.
+/// Measures the neointima between axial positions `from` and `to` [m]. Thickness is signed: where the lumen
+/// has widened it is negative. Throws std::invalid_argument for maps on different planes, or a section
+/// without one.
 Neointima measureNeointima(const RadialMap& postDeployment, const RadialMap& present, double from, double to);
 
 }  // namespace restenosis

@@ -104,15 +104,16 @@ void checkPieces(const TriSurface& s, SurfaceReport& report) {
     }
   }
   report.components = pieces.size();
-  if (report.volume <= 0) report.violations.push_back("the surface is not oriented outwards: its volume is not positive");
+  if (report.volume <= 0)
+    report.violations.push_back("the surface is not oriented outwards: its volume is not positive");
   if (lumens > 1) report.violations.push_back(fmt::format("the surface encloses {} separate lumens", lumens));
   if (strange)
     report.violations.push_back(fmt::format("{} detached pieces in the lumen are not struts", strange));
 }
 
 void checkEnds(const TriSurface& s, double length, SurfaceReport& report) {
-  for (const auto& [region, name, z, direction] :
-       {std::tuple{SurfaceRegion::inlet, "inlet", 0.0, -1.0}, {SurfaceRegion::outlet, "outlet", length, 1.0}}) {
+  for (const auto& [region, name, z, direction] : {std::tuple{SurfaceRegion::inlet, "inlet", 0.0, -1.0},
+                                                   {SurfaceRegion::outlet, "outlet", length, 1.0}}) {
     double farthest = 0, facing = 0;
     for (std::size_t t = 0; t < s.triangles.size(); ++t) {
       if (s.region[t] != region) continue;
@@ -121,7 +122,8 @@ void checkEnds(const TriSurface& s, double length, SurfaceReport& report) {
     }
     if (!(facing > 0)) report.violations.push_back(fmt::format("the {} has no area facing out", name));
     if (farthest > planarity * length)
-      report.violations.push_back(fmt::format("the {} is not planar: a vertex is {:.3g} m off", name, farthest));
+      report.violations.push_back(
+          fmt::format("the {} is not planar: a vertex is {:.3g} m off", name, farthest));
   }
 }
 

@@ -62,8 +62,8 @@ constexpr double leastTurn = 0.5;
 
 bool spoiled(const Vec3& before, const Vec3 (&p)[3]) {
   const Vec3 after = (p[1] - p[0]).cross(p[2] - p[0]);
-  const double longest = std::max(
-      {(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()});
+  const double longest =
+      std::max({(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()});
   return after.dot(before) < leastTurn * after.norm() * before.norm() || after.norm() < leastShape * longest;
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "TriSurface.h"
+
+namespace restenosis {
+
+/// Writes the triangles of some regions (all if empty) as binary STL, in units of `metresPerUnit` (1e-3: mm).
+/// Throws std::runtime_error if the file cannot be written.
+void writeStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit,
+              std::span<const SurfaceRegion> regions = {});
+
+/// Writes all regions as named solids (wall, strut, inlet, outlet) of one ASCII STL; absent regions are left
+/// out.
+void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit);
+
+/// Reads an STL file, binary or ASCII, and merges equal vertices. All triangles become `wall`: see
+/// `markEnds`. Throws std::runtime_error if the file is missing, no STL, or empty.
+TriSurface readStl(const std::filesystem::path& file, double metresPerUnit);
+
+/// Makes the triangles that lie in the planes z = 0 and z = `length` [m] inlet and outlet, and puts them
+/// exactly there; `tolerance` [m] is how far a vertex may be off.
+void markEnds(TriSurface& surface, double length, double tolerance);
+
+std::string_view regionName(SurfaceRegion region);
+
+}  // namespace restenosis
