@@ -2,6 +2,10 @@
 
 namespace restenosis {
 
+bool Part::isPurpose() const { return false; }
+
+bool Part::appliesAt(const Instant&) const { return true; }
+
 Verdict Part::needs(Quantity, const Instant&) const { return Verdict::run(); }
 
 Verdict Part::inputsChanged(const Instant&) const { return Verdict::run(); }

@@ -14,6 +14,7 @@ enum class Quantity : std::uint8_t {
   exposure,         ///< which cells face the lumen, which are crowded
   coverage,         ///< which cells carry endothelium
   lumen,            ///< shape of the lumen
+  wallTraction,     ///< on the faces of the flow's wall
   wallShearStress,  ///< on cells
   nitricOxide,      ///< of cells
   record            ///< what is written for the user
@@ -24,6 +25,7 @@ struct Instant {
   std::uint32_t step = 0;  ///< steps made before this one
   double time = 0;         ///< at the start of the step [s]
   bool recorded = false;   ///< whether the state is recorded in this step
+  bool last = false;  ///< whether the run ends here: the state is brought up to date, but not carried further
 };
 
 /// An answer to "must this run?", with the reason that is counted and shown when it is no. Reasons are
@@ -44,6 +46,12 @@ class Part {
   virtual std::string_view name() const = 0;
   virtual std::vector<Quantity> reads() const = 0;
   virtual std::vector<Quantity> writes() const = 0;
+
+  /// Whether this part is what a run is made for, so that it needs no reader to run.
+  virtual bool isPurpose() const;
+
+  /// Whether there is anything for this part to do at such an instant at all, whatever the schedule.
+  virtual bool appliesAt(const Instant& now) const;
 
   /// Whether what this part makes of `quantity`, one of its reads, can change any result now. The parts that
   /// write the quantity do not run while no reader needs it.

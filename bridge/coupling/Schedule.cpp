@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace restenosis {
 
@@ -17,6 +18,7 @@ void Schedule::add(std::unique_ptr<Part> part) {
 
 void Schedule::advance(const Instant& now) {
   for (std::size_t n = 0; n < parts_.size(); ++n) {
+    if (!parts_[n]->appliesAt(now)) continue;
     const Verdict verdict = decide(n, now);
     PartCount& count = counts_[std::string(parts_[n]->name())];
     if (verdict.yes) {
@@ -35,21 +37,20 @@ Verdict Schedule::decide(std::size_t part, const Instant& now) const {
 }
 
 Verdict Schedule::needed(std::size_t part, const Instant& now) const {
-  Verdict verdict = Verdict::run();
-  bool hasReader = false;
+  if (parts_[part]->isPurpose()) return Verdict::run();
+  std::optional<Verdict> refusal;
   for (const Quantity quantity : parts_[part]->writes()) {
-    // A reader further down must itself be needed; one further up reads the quantity in the next step.
     for (std::size_t reader = 0; reader < parts_.size(); ++reader) {
       const auto reads = parts_[reader]->reads();
       if (reader == part || std::ranges::find(reads, quantity) == reads.end()) continue;
-      hasReader = true;
       Verdict answer = parts_[reader]->needs(quantity, now);
+      // A reader further down must itself be needed; one further up reads the quantity in the next step.
       if (answer.yes && reader > part) answer = needed(reader, now);
       if (answer.yes) return answer;
-      verdict = answer;
+      if (!refusal) refusal = answer;
     }
   }
-  return hasReader ? verdict : Verdict::run();
+  return refusal.value_or(Verdict::skip("nothing reads what it makes"));
 }
 
 }  // namespace restenosis

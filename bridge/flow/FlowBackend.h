@@ -26,6 +26,11 @@ struct WallFace {
   double area;           ///< [m^2]
   Vec3 traction;         ///< tangential traction of the fluid on the wall, along the flow [Pa]
   SurfaceRegion region;  ///< wall or strut
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(centre.x(), centre.y(), centre.z(), area, traction.x(), traction.y(), traction.z(), region);
+  }
 };
 
 /// A steady solution, as far as anything outside the backend needs it, and how it was obtained.
@@ -37,6 +42,11 @@ struct FlowSolution {
   int iterations = 0;
   double meshSeconds = 0.0, solveSeconds = 0.0;
   std::vector<std::string> remarks;  ///< retries, warnings; empty when all went as planned
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(wall, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks);
+  }
 };
 
 /// A flow that could not be computed; `what()` says which step failed and why, `log` is the file to read.

@@ -10,12 +10,14 @@ struct FakePart : Part {
   struct Answers {
     Verdict needs = Verdict::run(), changed = Verdict::run();
     int runs = 0;
+    bool purpose = false;
   };
   FakePart(std::string n, std::vector<Quantity> r, std::vector<Quantity> w, Answers& a)
       : name_(std::move(n)), reads_(std::move(r)), writes_(std::move(w)), answers_(a) {}
   std::string_view name() const override { return name_; }
   std::vector<Quantity> reads() const override { return reads_; }
   std::vector<Quantity> writes() const override { return writes_; }
+  bool isPurpose() const override { return answers_.purpose; }
   Verdict needs(Quantity, const Instant&) const override { return answers_.needs; }
   Verdict inputsChanged(const Instant&) const override { return answers_.changed; }
   void run(const Instant&) override { ++answers_.runs; }
@@ -28,6 +30,7 @@ struct FakePart : Part {
 struct ScheduleTest : testing::Test {
   void build(Schedule::Mode mode) {
     schedule = std::make_unique<Schedule>(mode);
+    nitricOxide.purpose = true;
     schedule->add(std::make_unique<FakePart>("surface", std::vector{Quantity::agentPositions},
                                              std::vector{Quantity::lumen}, surface));
     schedule->add(std::make_unique<FakePart>("flow", std::vector{Quantity::lumen},
@@ -54,7 +57,7 @@ TEST_F(ScheduleTest, SkipsWhatNobodyDownstreamNeedsAndCountsTheReason) {
   schedule->advance({});
   EXPECT_EQ(surface.runs, 0);
   EXPECT_EQ(flow.runs, 0);
-  EXPECT_EQ(nitricOxide.runs, 2);  // nobody reads nitric oxide here: it runs for its own sake
+  EXPECT_EQ(nitricOxide.runs, 2);  // it is the purpose here
   EXPECT_EQ(schedule->counts().at("flow").skipped.at("no covered cell"), 2u);
   EXPECT_EQ(schedule->counts().at("surface").skipped.at("no covered cell"), 2u);
 }
@@ -77,9 +80,18 @@ TEST_F(ScheduleTest, EveryStepAsksNobody) {
   EXPECT_TRUE(schedule->counts().at("flow").skipped.empty());
 }
 
+TEST_F(ScheduleTest, SkipsWhatNobodyReadsUnlessItIsThePurpose) {
+  build(Schedule::Mode::onChange);
+  nitricOxide.purpose = false;
+  schedule->advance({});
+  EXPECT_EQ(flow.runs + nitricOxide.runs, 0);
+  EXPECT_EQ(schedule->counts().at("flow").skipped.at("nothing reads what it makes"), 1u);
+}
+
 TEST_F(ScheduleTest, AReaderFurtherUpKeepsItsWriterRunning) {
   Schedule loop(Schedule::Mode::onChange);
   FakePart::Answers cycle, relax;
+  cycle.purpose = true;
   loop.add(std::make_unique<FakePart>("relax", std::vector{Quantity::cellStates},
                                       std::vector{Quantity::agentPositions}, relax));
   loop.add(std::make_unique<FakePart>("cycle", std::vector{Quantity::agentPositions},

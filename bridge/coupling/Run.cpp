@@ -1,0 +1,254 @@
+#include "Run.h"
+
+#include <omp.h>
+
+#include <cmath>
+
+#include "AgentTable.h"
+#include "CyclePart.h"
+#include "Deployment.h"
+#include "EndotheliumPart.h"
+#include "ExposurePart.h"
+#include "FlowBackends.h"
+#include "FlowPart.h"
+#include "LumenPart.h"
+#include "LumenSurface.h"
+#include "NitricOxidePart.h"
+#include "ProfileCsv.h"
+#include "RelaxPart.h"
+#include "SceneFingerprint.h"
+#include "StateArchive.h"
+#include "StateCounts.h"
+#include "SummaryJson.h"
+#include "WallPacking.h"
+#include "WallShearPart.h"
+
+namespace restenosis {
+namespace {
+
+/// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
+constexpr std::chrono::seconds longestUnsaved{30};
+
+bool isMultiple(double time, double interval, double step) {
+  const double periods = time / interval;
+  return std::abs(periods - std::round(periods)) * interval < 0.5 * step;
+}
+
+}  // namespace
+
+std::uint32_t stepCount(const SceneParameters& scene) {
+  return static_cast<std::uint32_t>(std::lround(scene.duration / scene.step));
+}
+
+Run::Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, const RunOptions& options)
+    : scene_(scene),
+      folder_(folder),
+      options_(options),
+      world_(scene, folder, progress),
+      checkpoint_(folder.checkpoint()),
+      fingerprint_(sceneFingerprint(scene)),
+      lastCheckpoint_(std::chrono::steady_clock::now()) {
+  omp_set_num_threads(options.threads);
+}
+
+template <class Archive>
+void Run::archive(Archive& a) {
+  a(stage_, deploymentSteps_, nextStep_, world_);
+  if (stage_ != Stage::growing) return;
+  if (!schedule_) buildSchedule();
+  a(*schedule_, *record_);
+}
+
+void Run::resume() {
+  if (!checkpoint_.exists()) {
+    world_.progress.message("no checkpoint yet: starting afresh");
+    return;
+  }
+  ReadingArchive state(checkpoint_.load(fingerprint_));
+  archive(state);
+  if (stage_ == Stage::growing) record_->begin();
+}
+
+void Run::go() {
+  try {
+    if (stage_ == Stage::fresh) prepareWall();
+    if (stage_ == Stage::deploying) deploy();
+    grow();
+    status_ = "finished";
+  } catch (const Occluded&) {
+    // A result, not a failure: the neointima has closed the vessel.
+    status_ = "occluded";
+  } catch (const FlowFailed&) {
+    if (options_.stopRequested && *options_.stopRequested) throw Interrupted();
+    status_ = "failed";
+    writeSummary();
+    throw;
+  }
+  writeFinalResults();
+}
+
+void Run::prepareWall() {
+  if (scene_.hasTissue()) {
+    auto measurement = world_.timer.measure("pack");
+    world_.progress.stage("packing the wall", 0, 1);
+    world_.wall =
+        scene_.vessel.agents.empty()
+            ? packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed))
+            : adoptWall(scene_.vessel, readAgentTable(scene_.vessel.agents));
+    world_.progress.stage("packing the wall", 1, 1);
+  }
+  stage_ = Stage::deploying;
+  saveCheckpoint();
+}
+
+void Run::deploy() {
+  if (scene_.stent) {
+    auto measurement = world_.timer.measure("deploy");
+    Deployment deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_);
+    while (!deployment.done()) {
+      deployment.step();
+      deploymentSteps_ = deployment.stepsDone();
+      world_.progress.stage("deployment", deploymentSteps_, deployment.steps());
+      stopIfAsked();
+      checkpointWhenDue(false);
+    }
+    world_.stent = deployment.stent();
+  }
+  startGrowth();
+}
+
+void Run::startGrowth() {
+  if (scene_.hasTissue()) {
+    AgentStore& agents = world_.wall.agents;
+    for (Index i = 0; i < agents.size(); ++i) {
+      // The tissue outside is stiff: the EEL holds its place while cells grow (ISR3D).
+      if (agents.kind[i] == AgentKind::eel) agents.set(i, fixed, true);
+    }
+    if (scene_.injury)
+      world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
+    world_.changes.touch(Quantity::cellStates);
+  }
+  buildSchedule();
+  stage_ = Stage::growing;
+  record_->begin();
+}
+
+void Run::buildSchedule() {
+  const bool everyStep = scene_.coupling.schedule == "everyStep";
+  schedule_ = std::make_unique<Schedule>(everyStep ? Schedule::Mode::everyStep : Schedule::Mode::onChange);
+  if (scene_.stent && !world_.stent)
+    world_.stent =
+        Deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_).stent();
+  auto backend =
+      scene_.flow ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity}) : nullptr;
+  if (scene_.hasTissue()) schedule_->add(std::make_unique<RelaxPart>(world_));
+  if (scene_.cellCycle) schedule_->add(std::make_unique<ExposurePart>(world_));
+  if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));
+  schedule_->add(std::make_unique<LumenPart>(world_));
+  if (backend) schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
+  if (scene_.endothelium) {
+    schedule_->add(std::make_unique<WallShearPart>(world_));
+    schedule_->add(std::make_unique<NitricOxidePart>(world_));
+  }
+  auto record = std::make_unique<RecordPart>(world_);
+  record_ = record.get();
+  schedule_->add(std::move(record));
+  if (scene_.cellCycle) schedule_->add(std::make_unique<CyclePart>(world_));
+}
+
+Instant Run::instant(std::uint32_t step) const {
+  Instant now;
+  now.step = step;
+  now.time = step * scene_.scene.step;
+  now.last = step == stepCount(scene_.scene);
+  now.recorded = now.last || step == 0 || isMultiple(now.time, scene_.output.interval, scene_.scene.step);
+  return now;
+}
+
+void Run::grow() {
+  for (;; ++nextStep_) {
+    const Instant now = instant(nextStep_);
+    stopIfAsked();
+    checkpointWhenDue(now.last || isMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
+    schedule_->advance(now);
+    reportProgress(now);
+    if (now.last) break;
+  }
+}
+
+void Run::stopIfAsked() {
+  if (!options_.stopRequested || !*options_.stopRequested) return;
+  saveCheckpoint();
+  throw Interrupted();
+}
+
+void Run::checkpointWhenDue(bool regular) {
+  if (regular || std::chrono::steady_clock::now() - lastCheckpoint_ > longestUnsaved) saveCheckpoint();
+}
+
+void Run::saveCheckpoint() {
+  auto measurement = world_.timer.measure("output");
+  WritingArchive state;
+  archive(state);
+  checkpoint_.save(fingerprint_, state.buffer());
+  lastCheckpoint_ = std::chrono::steady_clock::now();
+}
+
+void Run::reportProgress(const Instant& now) {
+  const StateCounts counts = countStates(world_.wall.agents);
+  ProgressState state;
+  state.time = now.time;
+  state.agents = world_.wall.agents.size();
+  state.g0 = counts.g0, state.g1 = counts.g1, state.sg2m = counts.sg2m;
+  state.divisions = world_.divisions;
+  state.flowSolves = world_.flow.solves;
+  world_.progress.step(state, now.recorded);
+}
+
+std::string Run::stateDigest() {
+  HashingArchive hash;
+  hash(world_.wall.agents);
+  return hash.digest();
+}
+
+std::uint64_t Run::flowSolvesDone() const { return world_.flow.solves; }
+
+void Run::writeFinalResults() {
+  world_.progress.finish();
+  const RadialMap& present = world_.lumen.present;
+  std::vector<ProfileRow> rows(static_cast<std::size_t>(present.planes()));
+  std::optional<Neointima> neointima;
+  if (scene_.hasTissue() && present.comparable(world_.lumen.afterDeployment))
+    neointima = measureNeointima(world_.lumen.afterDeployment, present, 0.0, world_.wall.length);
+  for (int k = 0; k < present.planes(); ++k) {
+    rows[k].z = present.z(k);
+    rows[k].lumenArea = present.lumenArea(k);
+    if (!neointima) continue;
+    rows[k].neointimaAreaFraction = neointima->areaFraction[k];
+    rows[k].neointimaThickness = neointima->thickness[k];
+  }
+  writeProfileCsv(folder_.profile(), rows);
+  writeSummary();
+}
+
+void Run::writeSummary() {
+  Summary summary;
+  summary.scene = scene_.name;
+  summary.title = scene_.scene.title;
+  summary.status = status_;
+  summary.seed = scene_.scene.seed;
+  summary.threads = options_.threads;
+  if (scene_.flow) summary.flowBackend = scene_.flow->backend;
+  summary.stateDigest = stateDigest();
+  if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
+  summary.flowSolvesDone = world_.flow.solves;
+  if (schedule_) {
+    const auto flow = schedule_->counts().find("flow");
+    if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
+  }
+  summary.parts = world_.timer.costs();
+  summary.remarks = world_.remarks;
+  writeSummaryJson(folder_.summary(), summary);
+}
+
+}  // namespace restenosis

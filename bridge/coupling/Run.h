@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "Checkpoint.h"
+#include "RecordPart.h"
+#include "ResultsFolder.h"
+#include "Schedule.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// The user asked the run to stop; its state is in the checkpoint.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted; go on with --resume") {}
+};
+
+/// What `Run::go` may be told beside the scene.
+struct RunOptions {
+  int threads = 1;
+  const std::atomic<bool>* stopRequested =
+      nullptr;  ///< set by a signal: save a checkpoint and throw Interrupted
+};
+
+/// A run from the packed wall to the end of growth: packs, deploys, injures, and then makes the coupled steps
+/// of model 9. At every moment the checkpoint in the results folder holds a whole earlier state; a run gone
+/// on from it ends in the same state as one that never stopped.
+class Run {
+ public:
+  Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, const RunOptions& options);
+
+  /// Reads the state from the checkpoint instead of starting afresh; without one, the run starts afresh.
+  /// Throws CheckpointRefused for one that is damaged or of another scene.
+  void resume();
+  /// Goes on to the end and writes the final results. Throws RelaxationFailed, FlowFailed, WriteFailed,
+  /// Interrupted; what has been recorded so far stays.
+  void go();
+
+  const World& world() const { return world_; }
+  std::string status() const { return status_; }
+  std::string stateDigest();
+  std::uint64_t flowSolvesDone() const;
+
+ private:
+  enum class Stage : std::uint8_t { fresh, deploying, growing };
+
+  void prepareWall();
+  void deploy();
+  void startGrowth();
+  void buildSchedule();
+  void grow();
+  Instant instant(std::uint32_t step) const;
+  void checkpointWhenDue(bool regular);
+  void saveCheckpoint();
+  void stopIfAsked();
+  void reportProgress(const Instant& now);
+  void writeFinalResults();
+  void writeSummary();
+  template <class Archive>
+  void archive(Archive& a);
+
+  const Scene& scene_;
+  const ResultsFolder& folder_;
+  RunOptions options_;
+  World world_;
+  Checkpoint checkpoint_;
+  std::string fingerprint_;
+  std::unique_ptr<Schedule> schedule_;
+  RecordPart* record_ = nullptr;  ///< owned by the schedule
+
+  Stage stage_ = Stage::fresh;
+  std::int32_t deploymentSteps_ = 0;  ///< done
+  std::uint32_t nextStep_ = 0;
+  std::string status_ = "running";
+  std::chrono::steady_clock::time_point lastCheckpoint_;
+};
+
+/// Number of biological steps of a scene.
+std::uint32_t stepCount(const SceneParameters& scene);
+
+}  // namespace restenosis

@@ -1,0 +1,83 @@
+#include "World.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "CylinderSurface.h"
+#include "LumenField.h"
+#include "LumenSurface.h"
+
+namespace restenosis {
+namespace {
+
+LumenFieldSettings fieldSettings(const CouplingParameters& coupling) {
+  LumenFieldSettings settings;
+  settings.resolution = coupling.surfaceResolution;
+  settings.smoothing = coupling.surfaceSmoothing;
+  return settings;
+}
+
+/// The lumen of a scene without tissue.
+LumenField idealLumen(const VesselParameters& vessel, double resolution) {
+  return LumenField::fromFunction(
+      [&](const Vec3& p) { return cylinderRadius(vessel, p.z()) - std::hypot(p.x(), p.y()); }, vessel.length,
+      vessel.lumenDiameter / 2 + 4 * resolution, resolution);
+}
+
+}  // namespace
+
+World::World(const Scene& s, const ResultsFolder& f, Progress& p)
+    : scene(s), folder(f), progress(p), wall(emptyWall(s.vessel)), biology(biologySettings(s)) {}
+
+void World::extractLumen() {
+  auto measurement = timer.measure("surface");
+  if (!scene.hasTissue()) {
+    lumen.present = RadialMap(idealLumen(scene.vessel, scene.coupling.surfaceResolution));
+    surface_ = cylinderSurface(scene.vessel);
+    return;
+  }
+  const auto struts =
+      stent ? std::span<const StrutSegment>(stent->segments) : std::span<const StrutSegment>();
+  const auto field = LumenField::fromTissue(wall.agents, struts, wall.length, fieldSettings(scene.coupling));
+  lumen.present = RadialMap(field);
+  lumen.detachedPieces = field.topology().islands;
+  if (field.occluded()) throw Occluded();
+  surface_ = extractSurface(field);
+}
+
+void World::updateLumen() {
+  extractLumen();
+  if (lumen.afterDeployment.planes() == 0) lumen.afterDeployment = lumen.present;
+}
+
+const TriSurface& World::lumenSurface() {
+  if (!surface_) extractLumen();
+  return *surface_;
+}
+
+std::pair<double, double> World::measuredSection() const {
+  if (!stent || stent->segments.empty()) return {0.0, wall.length};
+  double from = wall.length, to = 0.0;
+  for (const auto& segment : stent->segments) {
+    from = std::min({from, segment.a.z(), segment.b.z()});
+    to = std::max({to, segment.a.z(), segment.b.z()});
+  }
+  // The tissue beside the outermost struts belongs to the stented section (assumed: 2.5 strut widths from
+  // their centre).
+  const double margin = 2.5 * scene.stent->strutWidth;
+  return {std::max(0.0, from - margin), std::min(wall.length, to + margin)};
+}
+
+BiologySettings biologySettings(const Scene& scene) {
+  BiologySettings settings;
+  settings.cellCycle = scene.cellCycle;
+  settings.contactInhibition = scene.contactInhibition;
+  settings.endothelium = scene.endothelium;
+  settings.denuded = !scene.injury || scene.injury->denudation == "full";
+  settings.seed = static_cast<std::uint64_t>(scene.scene.seed);
+  settings.step = scene.scene.step;
+  settings.vesselLength = scene.vessel.length;
+  return settings;
+}
+
+}  // namespace restenosis

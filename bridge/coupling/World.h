@@ -1,0 +1,90 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Biology.h"
+#include "ChangeLedger.h"
+#include "FlowBackend.h"
+#include "Injury.h"
+#include "PartTimer.h"
+#include "Progress.h"
+#include "RadialMap.h"
+#include "ResultsFolder.h"
+#include "Scene.h"
+#include "Stent.h"
+#include "TriSurface.h"
+#include "Wall.h"
+
+namespace restenosis {
+
+/// The lumen: its shape now, and the shapes it is compared with.
+struct LumenState {
+  RadialMap present;
+  RadialMap afterDeployment;  ///< what neointima is measured against
+  RadialMap atLastFlow;       ///< what `lumenTolerance` is measured against; empty before the first solve
+  std::uint64_t detachedPieces = 0;  ///< pieces of tissue in the lumen that no flow sees
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(present, afterDeployment, atLastFlow, detachedPieces);
+  }
+};
+
+/// The last flow solution, as long as it holds.
+struct FlowState {
+  std::optional<FlowSolution> last;
+  double time = 0;                   ///< of that solve [s]
+  std::uint64_t solves = 0;          ///< since the start
+  std::uint64_t solvesRecorded = 0;  ///< of these, before the last recorded state
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(last, time, solves, solvesRecorded);
+  }
+};
+
+/// Everything that a run's parts share. What `archive` passes on is the state: a run read back from it goes
+/// on as if it had never stopped. The rest is given by the scene, or made again from the state when it is
+/// missing.
+struct World {
+  World(const Scene& scene, const ResultsFolder& folder, Progress& progress);
+
+  const Scene& scene;
+  const ResultsFolder& folder;
+  Progress& progress;
+  PartTimer timer;
+
+  Wall wall;
+  std::optional<Stent> stent;  ///< where it stands after deployment
+  Biology biology;
+  LumenState lumen;
+  FlowState flow;
+  ChangeLedger changes;
+  std::optional<InjuryReport> injury;
+  std::uint64_t divisions = 0;  ///< since deployment
+  std::vector<std::string> remarks;
+
+  /// The triangulated lumen of the present agents; taken from them when it is not at hand. Throws Occluded.
+  const TriSurface& lumenSurface();
+  /// Takes the lumen's shape from the present agents.
+  void updateLumen();
+  /// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
+  std::pair<double, double> measuredSection() const;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(wall, biology, lumen, flow, changes, injury, divisions, remarks, timer);
+  }
+
+ private:
+  void extractLumen();
+
+  std::optional<TriSurface> surface_;
+};
+
+/// The settings of a scene's biology.
+BiologySettings biologySettings(const Scene& scene);
+
+}  // namespace restenosis

@@ -1,0 +1,16 @@
+#include "CyclePart.h"
+
+#include <algorithm>
+
+namespace restenosis {
+
+void CyclePart::run(const Instant&) {
+  auto measurement = world_.timer.measure("biology");
+  AgentStore& agents = world_.wall.agents;
+  const auto radiusBefore = agents.radius;
+  const CycleReport report = world_.biology.advanceCycle(agents, world_.wall.bonds);
+  world_.divisions += report.divisions;
+  if (report.divisions > 0 || agents.radius != radiusBefore) world_.changes.touch(Quantity::cellStates);
+}
+
+}  // namespace restenosis

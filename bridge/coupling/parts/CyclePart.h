@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Part.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Takes the cells through one step of their cycle: growth, rest, division (model 5).
+class CyclePart : public Part {
+ public:
+  explicit CyclePart(World& world) : world_(world) {}
+  std::string_view name() const override { return "cycle"; }
+  std::vector<Quantity> reads() const override { return {Quantity::exposure, Quantity::nitricOxide}; }
+  std::vector<Quantity> writes() const override { return {Quantity::cellStates}; }
+  bool isPurpose() const override { return true; }
+  bool appliesAt(const Instant& now) const override { return !now.last; }
+  void run(const Instant& now) override;
+
+ private:
+  World& world_;
+};
+
+}  // namespace restenosis

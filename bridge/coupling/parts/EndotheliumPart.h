@@ -1,0 +1,22 @@
+#pragma once
+
+#include "Part.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Lets endothelium return over the exposed cells (model 7).
+class EndotheliumPart : public Part {
+ public:
+  explicit EndotheliumPart(World& world) : world_(world) {}
+  std::string_view name() const override { return "endothelium"; }
+  std::vector<Quantity> reads() const override { return {Quantity::exposure}; }
+  std::vector<Quantity> writes() const override { return {Quantity::coverage}; }
+  Verdict inputsChanged(const Instant& now) const override;
+  void run(const Instant& now) override;
+
+ private:
+  World& world_;
+};
+
+}  // namespace restenosis

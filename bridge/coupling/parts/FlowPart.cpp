@@ -1,0 +1,46 @@
+#include "FlowPart.h"
+
+#include <fmt/format.h>
+
+#include "SurfaceCheck.h"
+
+namespace restenosis {
+
+Verdict FlowPart::inputsChanged(const Instant&) const {
+  if (world_.flow.solves == 0) return Verdict::run();
+  const auto moved = displacement(world_.lumen.atLastFlow, world_.lumen.present);
+  if (moved.robust > world_.scene.coupling.lumenTolerance) return Verdict::run();
+  return Verdict::skip("lumen moved no more than lumenTolerance");
+}
+
+void FlowPart::run(const Instant& now) {
+  const TriSurface& lumen = world_.lumenSurface();
+  const std::filesystem::path folder = world_.folder.flowCase(now.time);
+  {
+    auto measurement = world_.timer.measure("surface");
+    const SurfaceReport report = checkSurface(lumen, world_.wall.length);
+    if (!report.good())
+      throw FlowFailed(fmt::format("the lumen surface cannot be meshed: {}", report.summary()), folder);
+  }
+  auto measurement = world_.timer.measure("flow");
+  const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
+  world_.flow.last = backend_->solve(lumen, conditions, folder);
+  world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
+  for (const auto& remark : world_.flow.last->remarks)
+    world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / 86400, remark));
+  world_.flow.time = now.time;
+  ++world_.flow.solves;
+  world_.lumen.atLastFlow = world_.lumen.present;
+  world_.changes.touch(Quantity::wallTraction);
+  if (world_.scene.output.keepFlowCases == "last") removeFormerCase(folder);
+}
+
+void FlowPart::removeFormerCase(const std::filesystem::path& present) const {
+  namespace fs = std::filesystem;
+  if (!fs::exists(present)) return;
+  for (const auto& entry : fs::directory_iterator(present.parent_path())) {
+    if (entry.path() != present && entry.is_directory()) fs::remove_all(entry.path());
+  }
+}
+
+}  // namespace restenosis

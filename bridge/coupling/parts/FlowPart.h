@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "FlowBackend.h"
+#include "Part.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Solves blood flow in the present lumen (model 8).
+class FlowPart : public Part {
+ public:
+  FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
+      : world_(world), backend_(std::move(backend)) {}
+  std::string_view name() const override { return "flow"; }
+  std::vector<Quantity> reads() const override { return {Quantity::lumen}; }
+  std::vector<Quantity> writes() const override { return {Quantity::wallTraction}; }
+  Verdict inputsChanged(const Instant& now) const override;
+  /// Throws FlowFailed, or Occluded when the lumen has closed.
+  void run(const Instant& now) override;
+
+ private:
+  void removeFormerCase(const std::filesystem::path& present) const;
+
+  World& world_;
+  std::unique_ptr<FlowBackend> backend_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,26 @@
+#include "NitricOxidePart.h"
+
+namespace restenosis {
+
+Verdict NitricOxidePart::needs(Quantity quantity, const Instant&) const {
+  if (quantity != Quantity::wallShearStress) return Verdict::run();
+  const AgentStore& agents = world_.wall.agents;
+  bool anyCovered = false;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] != AgentKind::smc || !agents.has(i, covered)) continue;
+    anyCovered = true;
+    const bool mayRest = agents.state[i] != CycleState::sg2m;
+    if (agents.has(i, synthetic) && !agents.has(i, fixed) && !agents.has(i, inhibited) && mayRest)
+      return Verdict::run();
+  }
+  return Verdict::skip(anyCovered ? "every covered cell rests or divides whatever its wall shear stress"
+                                  : "no cell is covered by endothelium");
+}
+
+void NitricOxidePart::run(const Instant&) {
+  auto measurement = world_.timer.measure("biology");
+  world_.biology.updateNitricOxide(world_.wall.agents);
+  world_.changes.touch(Quantity::nitricOxide);
+}
+
+}  // namespace restenosis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Part.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Turns the wall shear stress of covered cells into nitric oxide (model 7).
+class NitricOxidePart : public Part {
+ public:
+  explicit NitricOxidePart(World& world) : world_(world) {}
+  std::string_view name() const override { return "nitricOxide"; }
+  std::vector<Quantity> reads() const override { return {Quantity::wallShearStress, Quantity::coverage}; }
+  std::vector<Quantity> writes() const override { return {Quantity::nitricOxide}; }
+  /// Wall shear stress decides nothing unless a covered cell would otherwise cycle.
+  Verdict needs(Quantity quantity, const Instant& now) const override;
+  void run(const Instant& now) override;
+
+ private:
+  World& world_;
+};
+
+}  // namespace restenosis

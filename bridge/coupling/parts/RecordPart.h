@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Part.h"
+#include "PvdSeries.h"
+#include "TimeSeries.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Writes a state for the user: a row of the time series, the agents and the lumen for ParaView (model 10).
+class RecordPart : public Part {
+ public:
+  explicit RecordPart(World& world);
+  std::string_view name() const override { return "record"; }
+  std::vector<Quantity> reads() const override;
+  std::vector<Quantity> writes() const override { return {}; }
+  bool isPurpose() const override { return true; }
+  bool appliesAt(const Instant& now) const override { return now.recorded; }
+  Verdict needs(Quantity quantity, const Instant& now) const override;
+  void run(const Instant& now) override;
+
+  /// Starts the files: empty ones, or those of the state that was read by `archive`.
+  void begin();
+  const TimeSeries& timeSeries() const { return timeSeries_; }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(timeSeries_, tissue_, lumen_);
+  }
+
+ private:
+  TimeSeriesRow row(const Instant& now) const;
+  void measureLumen(TimeSeriesRow& row) const;
+  void measureFlow(TimeSeriesRow& row) const;
+
+  World& world_;
+  TimeSeries timeSeries_;
+  PvdSeries tissue_, lumen_;
+};
+
+}  // namespace restenosis

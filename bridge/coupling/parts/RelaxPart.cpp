@@ -1,0 +1,26 @@
+#include "RelaxPart.h"
+
+#include <array>
+
+namespace restenosis {
+
+RelaxPart::RelaxPart(World& world)
+    : world_(world),
+      relaxation_(*world.scene.mechanics, world.scene.vessel.cellRadius),
+      confinement_(world.wall.agents, world.scene.vessel.cellRadius),
+      ends_(world.wall.length) {}
+
+Verdict RelaxPart::inputsChanged(const Instant&) const {
+  if (world_.changes.changedSince(name(), Quantity::cellStates)) return Verdict::run();
+  return Verdict::skip("no cell grew or divided");
+}
+
+void RelaxPart::run(const Instant&) {
+  auto measurement = world_.timer.measure("relax");
+  const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
+  relaxation_.relax(world_.wall.agents, world_.wall.bonds, constraints);
+  world_.changes.markRead(name(), Quantity::cellStates);
+  world_.changes.touch(Quantity::agentPositions);
+}
+
+}  // namespace restenosis

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "EndPlanes.h"
+#include "OuterConfinement.h"
+#include "Part.h"
+#include "Relaxation.h"
+#include "World.h"
+
+namespace restenosis {
+
+/// Brings the wall back to mechanical equilibrium after cells have grown or divided (model 3). The EEL does
+/// not yield.
+class RelaxPart : public Part {
+ public:
+  explicit RelaxPart(World& world);
+  std::string_view name() const override { return "relax"; }
+  std::vector<Quantity> reads() const override { return {Quantity::cellStates}; }
+  std::vector<Quantity> writes() const override { return {Quantity::agentPositions}; }
+  Verdict inputsChanged(const Instant& now) const override;
+  void run(const Instant& now) override;
+
+ private:
+  World& world_;
+  Relaxation relaxation_;
+  OuterConfinement confinement_;
+  EndPlanes ends_;
+};
+
+}  // namespace restenosis
