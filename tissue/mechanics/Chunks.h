@@ -10,11 +10,14 @@ namespace restenosis {
 /// number of threads.
 inline constexpr std::ptrdiff_t chunkSize = 256;
 
+/// Shorter loops are not worth waking other threads for.
+inline constexpr std::ptrdiff_t parallelFrom = 2048;
+
 /// Calls f(k) for k in [0, count), pieces in parallel.
 template <class F>
 void forEachInChunks(std::size_t count, F&& f) {
   const auto end = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for schedule(dynamic) if (end > 2 * chunkSize)
+#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
   for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
     for (std::ptrdiff_t k = begin; k < std::min(end, begin + chunkSize); ++k) f(static_cast<std::size_t>(k));
   }
@@ -25,7 +28,7 @@ template <class Sum, class F>
 Sum reduceInChunks(std::size_t count, F&& f) {
   const auto end = static_cast<std::ptrdiff_t>(count);
   std::vector<Sum> parts((count + chunkSize - 1) / chunkSize);
-#pragma omp parallel for schedule(dynamic) if (end > 2 * chunkSize)
+#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
   for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
     Sum part{};
     for (std::ptrdiff_t k = begin; k < std::min(end, begin + chunkSize); ++k)

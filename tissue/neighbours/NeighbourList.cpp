@@ -20,7 +20,7 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   positions_.resize(count);
   start_.assign(count + std::size_t{1}, 0);
 
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     auto& part = parts[c];
     const auto begin = static_cast<Index>(c) * chunk;
@@ -46,7 +46,7 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
 
   for (Index i = 0; i < count; ++i) start_[i + 1] += start_[i];
   neighbours_.resize(start_[count]);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     std::copy(parts[c].begin(), parts[c].end(),
               neighbours_.begin() + static_cast<std::ptrdiff_t>(start_[static_cast<Index>(c) * chunk]));

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <numeric>
+
+#include "ContactLaws.h"
+#include "ForceField.h"
+#include "HertzContact.h"
+#include "RandomStream.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double r0 = 15e-6;
+
+/// A crowded heap with unequal radii, bonds between near agents and daughters, so that every force acts.
+struct Heap {
+  AgentStore agents;
+  BondTable bonds;
+
+  explicit Heap(int count = 200) {
+    RandomStream random(9, 0, 0, RandomPurpose::packing);
+    const double side = 1.8 * r0 * std::cbrt(count);
+    for (int k = 0; k < count; ++k) {
+      const Vec3 place = side * Vec3(random.uniform(), random.uniform(), random.uniform());
+      const Index i = agents.append(AgentKind::smc, place, r0 * (0.7 + 0.6 * random.uniform()));
+      agents.set(i, AgentFlag::daughter, k % 3 == 0);
+    }
+    bonds.resize(agents.size());
+    for (Index i = 0; i < agents.size(); ++i) {
+      for (Index j = 0; j < i; ++j) {
+        const double distance = (agents.position(i) - agents.position(j)).norm();
+        if (distance < 2.2 * r0) bonds.connect(i, j, distance * (0.8 + 0.3 * random.uniform()));
+      }
+    }
+  }
+};
+
+MechanicsParameters with(std::string_view law) {
+  MechanicsParameters p;
+  p.contactLaw = law;
+  p.cohesionModulus = 0.5e6;
+  return p;
+}
+
+TEST(ForceField, IsTheSlopeOfItsEnergyForEveryLaw) {
+  for (const auto law : contactLawNames()) {
+    const ForceField field(with(law));
+    Heap heap;
+    const auto loads = field.evaluate(heap.agents, heap.bonds);
+    const double scale = 0.2e6 * r0 * r0, h = 1e-5 * r0;
+    for (const Index i : {3u, 50u, 111u}) {
+      ASSERT_GT(loads[i].force().norm(), 0.01 * scale);
+      for (auto* coordinate : {&heap.agents.x, &heap.agents.y, &heap.agents.z}) {
+        const double at = (*coordinate)[i];
+        (*coordinate)[i] = at + h;
+        const double above = field.energy(heap.agents, heap.bonds);
+        (*coordinate)[i] = at - h;
+        const double below = field.energy(heap.agents, heap.bonds);
+        (*coordinate)[i] = at;
+        const double force = coordinate == &heap.agents.x   ? loads[i].fx
+                             : coordinate == &heap.agents.y ? loads[i].fy
+                                                            : loads[i].fz;
+        EXPECT_NEAR((below - above) / (2 * h) / scale, force / scale, 1e-4) << law;
+      }
+    }
+  }
+}
+
+TEST(ForceField, BalancesMomentumAndMomentOfMomentum) {
+  for (const auto law : contactLawNames()) {
+    MechanicsParameters p = with(law);
+    p.bondAxialFactor = 2;
+    Heap heap;
+    heap.agents.setPosition(1, heap.agents.position(0));  // coinciding centres too
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    double sum = 0;
+    const auto loads = ForceField(p).evaluate(heap.agents, heap.bonds);
+    for (Index i = 0; i < heap.agents.size(); ++i) {
+      force += loads[i].force();
+      moment += heap.agents.position(i).cross(loads[i].force());
+      sum += loads[i].force().norm();
+    }
+    EXPECT_LT(force.norm(), 1e-13 * sum);
+    EXPECT_LT(moment.norm(), 1e-13 * sum * 20 * r0);
+  }
+}
+
+TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
+  const ForceField field(with("hertzNeoHookean"));
+  Heap heap(500);
+  const auto expected = field.evaluate(heap.agents, heap.bonds);
+  std::vector<Index> all(heap.agents.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  for (const double skin : {0.1 * r0, r0, 5 * r0}) {
+    NeighbourList list;
+    list.build(heap.agents, field.range(skin));
+    std::vector<AgentLoad> loads(heap.agents.size());
+    field.evaluate(packSpheres(heap.agents), heap.agents.flags, list, heap.bonds, all, loads);
+    for (const Index i : all) {
+      ASSERT_EQ(loads[i].force(), expected[i].force());
+      ASSERT_EQ(loads[i].pressure, expected[i].pressure);
+      ASSERT_EQ(loads[i].stiffness, expected[i].stiffness);
+    }
+  }
+}
+
+TEST(ForceField, PressesTheMiddleOfAChainByItsForceOverItsArea) {
+  MechanicsParameters p = with("hertz");
+  AgentStore agents;
+  const double spacing = 1.8 * r0;
+  for (int k = 0; k < 3; ++k) agents.append(AgentKind::smc, {k * spacing, 0, 0}, r0);
+  BondTable bonds;
+  bonds.resize(3);
+  const auto loads = ForceField(p).evaluate(agents, bonds);
+  const double force = forceOf(HertzContact(p.contactModulus), 0.2 * r0, r0 / 2);
+  const double volume = 4.0 / 3.0 * std::numbers::pi * r0 * r0 * r0;
+  EXPECT_NEAR(loads[1].pressure / (spacing * force / (3 * volume)), 1, 1e-12);
+  EXPECT_NEAR(loads[0].pressure / loads[1].pressure, 0.5, 1e-12);
+  EXPECT_NEAR(loads[0].fx / -force, 1, 1e-12);
+}
+
+TEST(ForceField, PullsNegativePressureOnABond) {
+  AgentStore agents;
+  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.5 * r0}, r0);
+  BondTable bonds;
+  bonds.resize(2);
+  bonds.connect(0, 1, 2 * r0);
+  const auto loads = ForceField(MechanicsParameters{}).evaluate(agents, bonds);
+  EXPECT_LT(loads[0].pressure, 0);
+  EXPECT_NEAR(loads[0].fz / (2.18e6 * 0.25 * 4 * r0 * r0), 1, 1e-6);  // rest lengths are floats
+}
+
+TEST(ForceField, CohesionIsForDaughtersOnly) {
+  AgentStore agents;
+  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.1 * r0}, r0);
+  BondTable bonds;
+  bonds.resize(2);
+  const ForceField field{MechanicsParameters{}};
+  EXPECT_EQ(field.evaluate(agents, bonds)[0].fz, 0);
+  agents.set(1, AgentFlag::daughter, true);
+  EXPECT_GT(field.evaluate(agents, bonds)[0].fz, 0);
+  EXPECT_EQ(field.evaluate(agents, bonds)[0].fz, -field.evaluate(agents, bonds)[1].fz);
+}
+
+TEST(ForceField, PushesCoincidingCentresApart) {
+  for (const auto law : contactLawNames()) {
+    AgentStore agents;
+    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r0);
+    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r0 / 100);
+    BondTable bonds;
+    bonds.resize(2);
+    const auto loads = ForceField(with(law)).evaluate(agents, bonds);
+    EXPECT_GT(loads[0].force().norm(), 0);
+    EXPECT_TRUE(loads[0].force().allFinite());
+    EXPECT_EQ(loads[0].force(), -loads[1].force());
+  }
+}
+
+}  // namespace
+}  // namespace restenosis
