@@ -1,1 +1,31 @@
-int main() { return 0; }
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "CheckCommand.h"
+#include "ExitStatus.h"
+#include "RunCommand.h"
+#include "SchemaCommand.h"
+#include "ThreadWaiting.h"
+#include "Version.h"
+
+/// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
+int main(int argc, char** argv) {
+  using namespace restenosis;
+  waitWithoutSpinning(argv);
+
+  CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
+  app.set_version_flag("--version", std::string(version()));
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::help);
+  int status = ExitStatus::done;
+  addRunCommand(app, status);
+  addCheckCommand(app, status);
+  addSchemaCommand(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help and --version end here as well, with status 0.
+    return app.exit(error) == 0 ? ExitStatus::done : ExitStatus::wrongInput;
+  }
+  return status;
+}

@@ -20,12 +20,12 @@ struct PointCloud {
 using KdTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 3>;
 
-/// The exposed cells, found by the distance to their surfaces.
-class ExposedCells {
+/// The wall's agents, found by the distance to their surfaces.
+class WallAgents {
  public:
-  explicit ExposedCells(const AgentStore& agents) : agents_(agents) {
+  explicit WallAgents(const AgentStore& agents) : agents_(agents) {
     for (Index i = 0; i < agents.size(); ++i) {
-      if (agents.kind[i] == AgentKind::strut || !agents.has(i, AgentFlag::exposed)) continue;
+      if (agents.kind[i] == AgentKind::strut) continue;
       cells_.push_back(i);
       cloud_.points.push_back(agents.position(i));
       largest_ = std::max(largest_, agents.radius[i]);
@@ -67,7 +67,7 @@ CellShear sampleWss(const AgentStore& agents, std::span<const WallFace> faces) {
   CellShear shear;
   shear.wss.assign(agents.size(), 0.0);
   shear.area.assign(agents.size(), 0.0);
-  const ExposedCells exposed(agents);
+  const WallAgents wallAgents(agents);
   PointCloud centres;
   std::vector<std::size_t> wall;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -75,11 +75,11 @@ CellShear sampleWss(const AgentStore& agents, std::span<const WallFace> faces) {
     wall.push_back(f);
     centres.points.push_back(faces[f].centre);
   }
-  if (exposed.cells().empty() || wall.empty()) return shear;
+  if (wallAgents.cells().empty() || wall.empty()) return shear;
 
   std::vector<Index> owner(wall.size());
 #pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < wall.size(); ++n) owner[n] = exposed.nearestTo(faces[wall[n]].centre);
+  for (std::size_t n = 0; n < wall.size(); ++n) owner[n] = wallAgents.nearestTo(faces[wall[n]].centre);
   for (std::size_t n = 0; n < wall.size(); ++n) {
     const WallFace& face = faces[wall[n]];
     shear.wss[owner[n]] += face.area * face.traction.norm();
@@ -89,11 +89,12 @@ CellShear sampleWss(const AgentStore& agents, std::span<const WallFace> faces) {
 
   KdTree tree(3, centres);
   tree.buildIndex();
-  for (const Index cell : exposed.cells()) {
+  for (const Index cell : wallAgents.cells()) {
     if (shear.area[cell] > 0) {
       shear.wss[cell] /= shear.area[cell];
       continue;
     }
+    if (!agents.has(cell, AgentFlag::exposed)) continue;
     const Vec3 centre = agents.position(cell);
     std::uint32_t nearest = 0;
     double squared = 0;

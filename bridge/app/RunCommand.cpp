@@ -1,0 +1,121 @@
+#include "RunCommand.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "AtomicFile.h"
+#include "Checkpoint.h"
+#include "ExitStatus.h"
+#include "Figures.h"
+#include "Progress.h"
+#include "ResultsFolder.h"
+#include "Run.h"
+#include "SceneArguments.h"
+#include "SceneWriter.h"
+#include "Units.h"
+
+namespace restenosis {
+namespace {
+
+std::atomic<bool> stopRequested{false};
+
+extern "C" void requestStop(int) { stopRequested = true; }
+
+struct RunArguments {
+  SceneArguments scene;
+  std::string folder;
+  std::string flow;
+  int threads = 0;
+  bool resume = false;
+};
+
+void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
+  const auto& path = folder.path();
+  std::cout << fmt::format("\n{} ({}):\n", path.string(), run.status());
+  const auto name = [&](const char* file, const char* what) {
+    if (std::filesystem::exists(path / file)) std::cout << fmt::format("  {:<16} {}\n", file, what);
+  };
+  name("summary.json", "final values, digest, cost by part");
+  name("timeSeries.csv", "one row a recorded step");
+  name("profile.csv", "final lumen along the vessel");
+  name("tissue.pvd", "agents in time: open in ParaView (Point Gaussian, scale by radius)");
+  name("lumen.pvd", "lumen with wall shear stress in time: open in ParaView");
+  if (std::filesystem::exists(path / "flow")) {
+    for (const auto& entry : std::filesystem::directory_iterator(path / "flow")) {
+      if (std::filesystem::exists(entry.path() / "case.foam"))
+        std::cout << fmt::format("  {:<16} OpenFOAM case: open in ParaView\n",
+                                 std::filesystem::relative(entry.path() / "case.foam", path).string());
+    }
+  }
+  if (!pictures) return;
+  for (const char* picture : {"growth.png", "lumen.png", "section.png", "lumen3d.png"})
+    name(picture, "picture");
+}
+
+int runScene(const Scene& scene, const RunArguments& arguments) {
+  const std::filesystem::path path =
+      arguments.folder.empty() ? std::filesystem::path("results") / scene.name : arguments.folder;
+  const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
+  Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
+  const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
+                           .stopRequested = &stopRequested};
+  Run run(scene, folder, progress, options);
+  if (arguments.resume) run.resume();
+  atomicWrite(folder.scene(), writeScene(scene, Units()));
+  run.go();
+  if (scene.output.pictures) {
+    const std::string obstacle = Figures().draw(folder.path());
+    if (!obstacle.empty()) std::cerr << obstacle << '\n';
+  }
+  nameResults(folder, run, scene.output.pictures);
+  return ExitStatus::done;
+}
+
+int tryRun(const RunArguments& arguments) {
+  SceneArguments sceneArguments = arguments.scene;
+  if (!arguments.flow.empty()) sceneArguments.overrides.push_back("flow.backend=" + arguments.flow);
+  const auto scene = sceneArguments.read();
+  if (!scene) return ExitStatus::wrongInput;
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
+  try {
+    return runScene(*scene, arguments);
+  } catch (const FolderRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const CheckpointRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const FlowFailed& error) {
+    std::cerr << fmt::format(
+        "\nThe flow failed: {}\nRead {}. Results so far are kept; go on with --resume.\n", error.what(),
+        error.log.string());
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("\n{}\n", error.what());
+  }
+  return ExitStatus::failed;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("run", "run a scene");
+  auto arguments = std::make_shared<RunArguments>();
+  arguments->scene.addTo(*command);
+  command->add_option("-o,--output", arguments->folder,
+                      "folder for the results (default: results/<scene name>)");
+  command->add_option("--flow", arguments->flow,
+                      "flow backend instead of the scene's: foam, analytic or none");
+  command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
+  command->callback([arguments, &status] { status = tryRun(*arguments); });
+}
+
+}  // namespace restenosis

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Scene.h"
+
+namespace restenosis {
+
+/// The command line's way to name a scene: the file, and `--set` for single values.
+struct SceneArguments {
+  std::string file;
+  std::vector<std::string> overrides;
+
+  void addTo(CLI::App& command);
+  /// Reads the scene; prints what is wrong with it to standard error and returns nothing.
+  std::optional<Scene> read() const;
+};
+
+}  // namespace restenosis

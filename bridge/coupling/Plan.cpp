@@ -1,0 +1,122 @@
+#include "Plan.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "Biology.h"
+#include "Run.h"
+#include "SceneChecks.h"
+#include "World.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double day = 86400.0;
+
+/// Measured on two cores of a server; the order of magnitude is what matters.
+struct CostEstimate {
+  double bytesPerAgent = 600;  ///< state, bonds, neighbour lists, output buffers
+  double packSecondsPerAgent = 3e-4;
+  double deploySecondsPerStep = 3e-5;  ///< per agent
+  double growSecondsPerStep = 3e-6;    ///< per agent
+};
+
+/// Why the flow is not solved at all, or empty.
+std::string noFlowBecause(const Scene& scene) {
+  if (!scene.flow) return "no [flow]";
+  if (scene.flow->backend == "none") return "flow.backend is \"none\"";
+  if (!scene.hasTissue()) return "";
+  if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
+  if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
+  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
+  if (onset >= scene.scene.duration)
+    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / day);
+  return "";
+}
+
+bool nothingCanBeExposed(const Scene& scene) {
+  const bool breached = scene.injury && (scene.injury->removeIel || scene.stent);
+  return !breached;
+}
+
+std::string flowSchedule(const Scene& scene) {
+  if (!scene.hasTissue()) return "once: without tissue the lumen does not change";
+  if (scene.coupling.schedule == "everyStep")
+    return fmt::format("in every one of the {} steps (coupling.schedule = \"everyStep\")",
+                       stepCount(scene.scene) + 1);
+  std::string text = fmt::format(
+      "from the first covered cell (not before day {:g}), when the lumen has moved more than {:g} um and a "
+      "covered cell "
+      "could still cycle",
+      Biology(biologySettings(scene)).endotheliumOnset() / day, scene.coupling.lumenTolerance * 1e6);
+  if (nothingCanBeExposed(scene))
+    text +=
+        "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
+        "due";
+  return text;
+}
+
+}  // namespace
+
+std::vector<PlannedPart> planParts(const Scene& scene) {
+  std::vector<PlannedPart> parts;
+  const auto add = [&parts](std::string name, bool runs, std::string explanation) {
+    parts.push_back({std::move(name), runs, std::move(explanation)});
+  };
+  const bool tissue = scene.hasTissue(), cycle = scene.cellCycle.has_value();
+  add("wall", tissue,
+      !tissue                       ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
+      : scene.vessel.agents.empty() ? "packed once, then relaxed"
+                                    : "loaded from " + scene.vessel.agents);
+  add("deployment", scene.stent.has_value(),
+      scene.stent ? fmt::format("{} steps to {:g} um, the wall relaxing after each",
+                                scene.stent->deploymentSteps, scene.stent->deploymentDepth * 1e6)
+                  : "no [stent]");
+  add("injury", scene.injury.has_value(),
+      scene.injury ? "once, after deployment" : "no [injury], so no cell becomes synthetic");
+  add("relaxation", cycle,
+      cycle ? "after every step in which a cell grew or divided" : "no [cellCycle]: nothing grows");
+  add("contact inhibition", cycle && scene.contactInhibition,
+      !cycle                    ? "no [cellCycle]"
+      : scene.contactInhibition ? "in every step in which an agent moved"
+                                : "no [contactInhibition]: no cell is inhibited");
+  add("endothelium", cycle && scene.endothelium,
+      !scene.endothelium ? "no [endothelium], so no nitric oxide"
+      : !cycle           ? "no [cellCycle]"
+                         : fmt::format("\"{}\", in every step from day {:g}", scene.endothelium->scenario,
+                                       Biology(biologySettings(scene)).endotheliumOnset() / day));
+  const std::string noFlow = noFlowBecause(scene);
+  add("lumen surface", true,
+      noFlow.empty() ? "when the flow may be due, and at recorded steps" : "at recorded steps only");
+  add("flow" + (noFlow.empty() ? " (" + scene.flow->backend + ")" : ""), noFlow.empty(),
+      noFlow.empty() ? flowSchedule(scene) : noFlow);
+  add("nitric oxide", noFlow.empty() && tissue,
+      noFlow.empty() && tissue ? "after the endothelium, from the last flow's wall shear stress"
+                               : "no wall shear stress");
+  add("cell cycle", cycle, cycle ? "in every step" : "no [cellCycle]");
+  return parts;
+}
+
+std::string planText(const Scene& scene) {
+  const std::uint32_t steps = stepCount(scene.scene);
+  std::string text = fmt::format("{}: {}\n", scene.file.string(), scene.scene.title);
+  text += fmt::format("vessel {:g} mm long, lumen {:g} mm; {:g} days in {} steps of {:g} h; fidelity {}\n",
+                      scene.vessel.length * 1e3, scene.vessel.lumenDiameter * 1e3, scene.scene.duration / day,
+                      steps, scene.scene.step / 3600, scene.scene.fidelity);
+  for (const PlannedPart& part : planParts(scene))
+    text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
+  const double agents = estimatedAgents(scene);
+  if (agents > 0) {
+    const CostEstimate cost;
+    const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
+    const double seconds = agents * (cost.packSecondsPerAgent + deploySteps * cost.deploySecondsPerStep +
+                                     (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
+    text +=
+        fmt::format("about {:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
+                    agents, 100 + agents * cost.bytesPerAgent / 1e6, seconds);
+  }
+  return text;
+}
+
+}  // namespace restenosis

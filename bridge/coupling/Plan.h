@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Scene.h"
+
+namespace restenosis {
+
+/// What the plan says of one part of a run.
+struct PlannedPart {
+  std::string name;
+  bool runs;
+  std::string explanation;  ///< when it runs, or why it does not
+};
+
+/// Which parts of a scene would run and when, which would not and why; from the scene alone, by the same
+/// rules the schedule follows.
+std::vector<PlannedPart> planParts(const Scene& scene);
+
+/// The plan as text: what is modelled, the parts, agents, estimated memory and time.
+std::string planText(const Scene& scene);
+
+}  // namespace restenosis
