@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -26,18 +27,29 @@ class CellGrid {
   /// All agents within `distance` of `point` are among them.
   template <class F>
   void forEachCandidate(const Vec3& point, double distance, F&& f) const {
+    forEachCandidateRange(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t n = begin; n < end; ++n) f(order_[n]);
+    });
+  }
+
+  /// The same agents as ranges [begin, end) of places in order(), for those who keep data in that order.
+  template <class F>
+  void forEachCandidateRange(const Vec3& point, double distance, F&& f) const {
     const Window wx = window(point.x(), distance, 0);
     const Window wy = window(point.y(), distance, 1);
     const Window wz = window(point.z(), distance, 2);
+    const std::int64_t whole = std::min(wx.count, size_[0] - wx.first);  // cells before the row wraps around
     for (std::int64_t kz = 0, z = wz.first; kz < wz.count; ++kz, z = next(z, 2)) {
       for (std::int64_t ky = 0, y = wy.first; ky < wy.count; ++ky, y = next(y, 1)) {
         const std::int64_t row = (z * size_[1] + y) * size_[0];
-        for (std::int64_t kx = 0, x = wx.first; kx < wx.count; ++kx, x = next(x, 0)) {
-          for (std::uint32_t n = start_[row + x]; n < start_[row + x + 1]; ++n) f(order_[n]);
-        }
+        f(start_[row + wx.first], start_[row + wx.first + whole]);
+        if (whole < wx.count) f(start_[row], start_[row + wx.count - whole]);
       }
     }
   }
+
+  /// All agents, cell by cell.
+  std::span<const Index> order() const { return order_; }
 
  private:
   /// `count` cells from `first` on, wrapping around: no cell twice.

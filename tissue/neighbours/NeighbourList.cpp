@@ -6,6 +6,26 @@
 #include "NeighbourQuery.h"
 
 namespace restenosis {
+namespace {
+
+/// What the search reads of an agent, kept in the order of the grid's cells.
+struct Candidate {
+  double x, y, z, radius;
+  Index agent;
+  bool daughter;
+};
+
+std::vector<Candidate> candidatesInOrder(const AgentStore& agents, std::span<const Index> order) {
+  std::vector<Candidate> candidates;
+  candidates.reserve(order.size());
+  for (const Index j : order) {
+    candidates.push_back(
+        {agents.x[j], agents.y[j], agents.z[j], agents.radius[j], j, agents.has(j, AgentFlag::daughter)});
+  }
+  return candidates;
+}
+
+}  // namespace
 
 void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
   const Index count = agents.size();
@@ -13,6 +33,7 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   const double largestRadius = NeighbourQuery::largestRadius(agents);
   const double widest = 2 * widestFactor * largestRadius + range.skin;
   const CellGrid grid(agents, widest > 0 ? widest : 1.0);
+  const auto candidates = candidatesInOrder(agents, grid.order());
 
   constexpr Index chunk = 512;
   const auto chunks = static_cast<std::ptrdiff_t>((count + chunk - 1) / chunk);
@@ -29,16 +50,17 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
       const auto first = static_cast<std::ptrdiff_t>(part.size());
       const double radius = agents.radius[i];
       const bool daughter = agents.has(i, AgentFlag::daughter);
-      grid.forEachCandidate(
-          positions_[i], widestFactor * (radius + largestRadius) + range.skin, [&](Index j) {
-            const double dx = agents.x[j] - positions_[i].x();
-            const double dy = agents.y[j] - positions_[i].y();
-            const double dz = agents.z[j] - positions_[i].z();
-            const double factor =
-                daughter || agents.has(j, AgentFlag::daughter) ? range.daughterFactor : range.factor;
-            const double reach = factor * (radius + agents.radius[j]) + range.skin;
-            if (dx * dx + dy * dy + dz * dz <= reach * reach && j != i) part.push_back(j);
-          });
+      const Vec3& centre = positions_[i];
+      const double widestReach = widestFactor * (radius + largestRadius) + range.skin;
+      grid.forEachCandidateRange(centre, widestReach, [&](std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t n = from; n < to; ++n) {
+          const Candidate& other = candidates[n];
+          const double dx = other.x - centre.x(), dy = other.y - centre.y(), dz = other.z - centre.z();
+          const double factor = daughter || other.daughter ? range.daughterFactor : range.factor;
+          const double reach = factor * (radius + other.radius) + range.skin;
+          if (dx * dx + dy * dy + dz * dz <= reach * reach && other.agent != i) part.push_back(other.agent);
+        }
+      });
       std::sort(part.begin() + first, part.end());
       start_[i + 1] = part.size() - static_cast<std::size_t>(first);
     }
