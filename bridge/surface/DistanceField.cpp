@@ -17,26 +17,26 @@ struct Range {
 /// The spheres and their mirror images across the ends, as far as they reach into the grid, and for every
 /// plane of nodes which of them touch it, as a list in compressed rows.
 struct PlaneLists {
-  std::vector<Sphere> spheres;
+  std::vector<Ball> spheres;
   std::vector<std::size_t> start;
   std::vector<std::uint32_t> member;
 
-  PlaneLists(const LumenGrid& g, std::span<const Sphere> input, double clip) {
+  PlaneLists(const LumenGrid& g, std::span<const Ball> input, double clip) {
     spheres.reserve(input.size() + input.size() / 4);
     auto add = [&](Vec3 centre, double radius) {
       if (centre.z() + radius + clip >= 0 && centre.z() - radius - clip <= g.length)
         spheres.push_back({centre, radius});
     };
-    for (const Sphere& s : input) {
+    for (const Ball& s : input) {
       add(s.centre, s.radius);
       add({s.centre.x(), s.centre.y(), -s.centre.z()}, s.radius);
       add({s.centre.x(), s.centre.y(), 2 * g.length - s.centre.z()}, s.radius);
     }
     start.assign(g.nz + 1, 0);
-    auto planes = [&](const Sphere& s) {
+    auto planes = [&](const Ball& s) {
       return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz);
     };
-    for (const Sphere& s : spheres) {
+    for (const Ball& s : spheres) {
       const Range r = planes(s);
       for (int k = r.first; k <= r.last; ++k) ++start[k + 1];
     }
@@ -52,13 +52,13 @@ struct PlaneLists {
 
 }  // namespace
 
-GridField sphereDistance(const LumenGrid& g, std::span<const Sphere> spheres, double clip) {
+GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, double clip) {
   GridField field(g, static_cast<float>(clip));
   const PlaneLists lists(g, spheres, clip);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < g.nz; ++k) {
     for (std::size_t n = lists.start[k]; n < lists.start[k + 1]; ++n) {
-      const Sphere& s = lists.spheres[lists.member[n]];
+      const Ball& s = lists.spheres[lists.member[n]];
       const double reach = s.radius + clip, dz = g.z(k) - s.centre.z();
       const double inPlane = reach * reach - dz * dz;
       if (inPlane < 0) continue;
@@ -111,7 +111,7 @@ GridField closeByBall(const GridField& distance, double probe, double clip) {
   const LumenGrid& g = distance.grid;
   const std::vector<float>& d = distance.values;
   const auto p = static_cast<float>(probe);
-  std::vector<std::vector<Sphere>> samples(g.nz);
+  std::vector<std::vector<Ball>> samples(g.nz);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) {
@@ -130,7 +130,7 @@ GridField closeByBall(const GridField& distance, double probe, double clip) {
       }
     }
   }
-  std::vector<Sphere> balls;
+  std::vector<Ball> balls;
   for (const auto& plane : samples) balls.insert(balls.end(), plane.begin(), plane.end());
   GridField closed = sphereDistance(g, balls, clip);
   const auto limit = static_cast<float>(clip);

@@ -8,7 +8,8 @@
 
 namespace restenosis {
 
-struct Sphere {
+/// A spherical obstacle, or the space a rolling ball takes.
+struct Ball {
   Vec3 centre;    ///< [m]
   double radius;  ///< [m]
 };
@@ -17,7 +18,7 @@ struct Sphere {
 /// of `clip` from a sphere the values outside the union are exact; inside, they are the depth in the deepest
 /// sphere. The vessel's ends are mirrors, so that a surface meets them at a right angle instead of flaring
 /// where the spheres end. The same bit for bit for any number of threads.
-GridField sphereDistance(const LumenGrid& grid, std::span<const Sphere> spheres, double clip);
+GridField sphereDistance(const LumenGrid& grid, std::span<const Ball> spheres, double clip);
 
 /// Signed distance [m] to the union of strut segments, positive outside them, clipped at `clip`.
 GridField strutDistance(const LumenGrid& grid, std::span<const StrutSegment> struts, double clip);

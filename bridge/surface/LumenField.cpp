@@ -12,14 +12,14 @@ namespace {
 constexpr double bandSpacings = 3.0;
 
 struct Obstacles {
-  std::vector<Sphere> tissue, strut;
+  std::vector<Ball> tissue, strut;
   double outerRadius = 0;  ///< distance from the axis of the outermost tissue agent's centre [m]
 };
 
 Obstacles sortAgents(const AgentStore& agents) {
   Obstacles found;
   for (Index i = 0; i < agents.size(); ++i) {
-    const Sphere s{agents.position(i), agents.radius[i]};
+    const Ball s{agents.position(i), agents.radius[i]};
     if (agents.kind[i] == AgentKind::strut) {
       found.strut.push_back(s);
     } else {
