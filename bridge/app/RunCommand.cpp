@@ -59,8 +59,8 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
 }
 
 int runScene(const Scene& scene, const RunArguments& arguments) {
-  const std::filesystem::path path =
-      arguments.folder.empty() ? std::filesystem::path("results") / scene.name : arguments.folder;
+  const std::filesystem::path path = arguments.folder.empty() ? std::filesystem::path("results") / scene.name
+                                                              : std::filesystem::path(arguments.folder);
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
