@@ -36,7 +36,7 @@ TEST(LumenSurface, RefusesAnOccludedLumen) {
 }
 
 TEST(LumenSurface, RelaxationRemovesSliversAndKeepsTheShape) {
-  const double radius = 5.03, length = 10;
+  const double radius = 5.0, length = 10;  // passes through nodes: slivers
   const auto field = LumenField::fromFunction(
       [&](const Vec3& p) { return radius - std::hypot(p.x(), p.y()); }, length, 7, 0.5);
   auto worst = [](const TriSurface& s) {

@@ -29,8 +29,9 @@ TEST(RadialMap, MeasuresACylinder) {
 }
 
 TEST(RadialMap, RaysThatStartInTissueHaveNoLength) {
+  // A bar across the lumen, attached to the wall.
   const RadialMap map(LumenField::fromFunction(
-      [](const Vec3& p) { return std::min(4 - std::hypot(p.x(), p.y()), (p - Vec3(0, 0, 5)).norm() - 1); },
+      [](const Vec3& p) { return std::min(4 - std::hypot(p.x(), p.y()), std::hypot(p.y(), p.z() - 5) - 1); },
       10, 6, 0.5));
   EXPECT_EQ(map.radius(10, 0), 0.0);
   EXPECT_GT(map.radius(0, 0), 3.9);
