@@ -35,10 +35,12 @@ void stitch(TriSurface& s, Ring inner, Ring outer, bool facesUp, SurfaceRegion r
     }
     s.region.push_back(region);
   };
+  // A ring of one vertex is the centre, which has no edge to go along.
+  const std::uint32_t innerSteps = inner.count == 1 ? 0 : inner.count;
   std::uint32_t i = 0, o = 0;
-  while (i < inner.count || o < outer.count) {
+  while (i < innerSteps || o < outer.count) {
     const bool outerNext =
-        i == inner.count || (o < outer.count && (o + 0.5) * inner.count <= (i + 0.5) * outer.count);
+        i == innerSteps || (o < outer.count && (o + 0.5) * inner.count <= (i + 0.5) * outer.count);
     if (outerNext) {
       add(inner.at(i), outer.at(o), outer.at(o + 1));
       ++o;

@@ -33,9 +33,7 @@ struct PlaneLists {
       add({s.centre.x(), s.centre.y(), 2 * g.length - s.centre.z()}, s.radius);
     }
     start.assign(g.nz + 1, 0);
-    auto planes = [&](const Ball& s) {
-      return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz);
-    };
+    auto planes = [&](const Ball& s) { return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz); };
     for (const Ball& s : spheres) {
       const Range r = planes(s);
       for (int k = r.first; k <= r.last; ++k) ++start[k + 1];
@@ -91,7 +89,7 @@ GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts
   for (int k = 0; k < g.nz; ++k) {
     for (const StrutSegment& s : struts) {
       // No point of a segment is farther from its centreline than this.
-      const double reach = clip + s.width + s.thickness + s.overlap;
+      const double reach = clip + 0.5 * std::hypot(s.width, s.thickness) + s.overlap;
       if (g.z(k) < std::min(s.a.z(), s.b.z()) - reach || g.z(k) > std::max(s.a.z(), s.b.z()) + reach)
         continue;
       const Vec3 middle = 0.5 * (s.a + s.b), half = 0.5 * (s.a - s.b).cwiseAbs();

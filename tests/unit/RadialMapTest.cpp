@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "RadialMap.h"
+#include "StateArchive.h"
+
+namespace restenosis {
+namespace {
+
+LumenField cylinder(double radius, double bump = 0) {
+  return LumenField::fromFunction(
+      [=](const Vec3& p) {
+        const double r = std::hypot(p.x(), p.y());
+        const double angle = std::atan2(p.y(), p.x());
+        // The bump takes 2 % of the angles, on half of the length.
+        const bool on = std::abs(angle) < 0.02 * std::numbers::pi && p.z() < 5;
+        return radius - (on ? bump : 0) - r;
+      },
+      10, 6, 0.25);
+}
+
+TEST(RadialMap, MeasuresACylinder) {
+  const RadialMap map(cylinder(4));
+  EXPECT_NEAR(map.meanRadius(), 4, 0.005);
+  EXPECT_NEAR(map.lumenArea(7), std::numbers::pi * 16, 0.1);
+  EXPECT_NEAR(map.minimalArea(), std::numbers::pi * 16, 0.1);
+}
+
+TEST(RadialMap, RaysThatStartInTissueHaveNoLength) {
+  // A bar across the lumen, attached to the wall.
+  const RadialMap map(LumenField::fromFunction(
+      [](const Vec3& p) { return std::min(4 - std::hypot(p.x(), p.y()), std::hypot(p.y(), p.z() - 5) - 1); },
+      10, 6, 0.5));
+  EXPECT_EQ(map.radius(10, 0), 0.0);
+  EXPECT_GT(map.radius(0, 0), 3.9);
+}
+
+TEST(RadialMap, DisplacementSeesUniformGrowthAndDiscountsASpot) {
+  const RadialMap wide(cylinder(4)), narrow(cylinder(3.5)), spot(cylinder(4, 1));
+  const LumenDisplacement all = displacement(wide, narrow), one = displacement(wide, spot);
+  EXPECT_NEAR(all.mean, 0.5, 0.01);
+  EXPECT_NEAR(all.robust, 0.5, 0.03);
+  EXPECT_NEAR(one.largest, 1, 0.1);
+  EXPECT_LT(one.mean, 0.03);
+  EXPECT_EQ(displacement(wide, wide).largest, 0.0);
+  EXPECT_THROW(displacement(wide, RadialMap(cylinder(4), 90)), std::invalid_argument);
+}
+
+TEST(RadialMap, MeasuresNeointima) {
+  const Neointima n = measureNeointima(RadialMap(cylinder(4)), RadialMap(cylinder(3)), 2, 8);
+  EXPECT_NEAR(n.meanThickness, 1, 0.01);
+  EXPECT_NEAR(n.meanAreaFraction, 1 - 9.0 / 16, 0.01);
+  EXPECT_EQ(n.z.size(), 25U);
+  EXPECT_EQ(n.thicknessByAngle.size(), 360U);
+  EXPECT_THROW(measureNeointima(RadialMap(cylinder(4)), RadialMap(cylinder(3)), 20, 30),
+               std::invalid_argument);
+}
+
+TEST(RadialMap, SurvivesAnArchive) {
+  RadialMap map(cylinder(4, 1)), copy;
+  WritingArchive out;
+  out(map);
+  ReadingArchive in(out.buffer());
+  in(copy);
+  EXPECT_TRUE(in.atEnd());
+  EXPECT_EQ(displacement(map, copy).largest, 0.0);
+}
+
+}  // namespace
+}  // namespace restenosis
