@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <type_traits>
 
 #include "CellCycleParameters.h"
 #include "ContactInhibitionParameters.h"
@@ -39,7 +40,22 @@ struct Scene {
   /// of a section that is absent as well (with its defaults).
   template <class F>
   void forEachSection(F&& f);
+
+  /// Calls f(section) for the std::optional of every section that may be absent.
+  template <class F>
+  void forEachOptionalSection(F&& f);
 };
+
+template <class F>
+void Scene::forEachOptionalSection(F&& f) {
+  f(stent);
+  f(injury);
+  f(mechanics);
+  f(cellCycle);
+  f(contactInhibition);
+  f(endothelium);
+  f(flow);
+}
 
 template <class F>
 void Scene::forEachSection(F&& f) {
@@ -53,13 +69,7 @@ void Scene::forEachSection(F&& f) {
   };
   f(scene, true);
   f(vessel, true);
-  optional(stent);
-  optional(injury);
-  optional(mechanics);
-  optional(cellCycle);
-  optional(contactInhibition);
-  optional(endothelium);
-  optional(flow);
+  forEachOptionalSection(optional);
   f(coupling, true);
   f(output, true);
 }

@@ -4,15 +4,15 @@
 
 namespace restenosis {
 
-/// A restriction on where agents may be, applied by a relaxation after every move: the packing's cylinders for the
-/// laminae, the vessel's end planes, the surface that keeps cells inside the EEL.
+/// A restriction on where agents may be, applied by a relaxation after every move: the packing's cylinders
+/// for the laminae, the vessel's end planes, the surface that keeps cells inside the EEL.
 class Constraint {
  public:
   virtual ~Constraint() = default;
   /// Moves `position`, where agent `i` is about to go, to the nearest allowed place.
   virtual void project(const AgentStore& agents, Index i, Vec3& position) const = 0;
-  /// Takes the part out of `force` that the constraint at the agent's present position carries, so that what is left
-  /// is the residual.
+  /// Takes the part out of `force` that the constraint at the agent's present position carries, so that what
+  /// is left is the residual.
   virtual void release(const AgentStore& agents, Index i, Vec3& force) const = 0;
 };
 

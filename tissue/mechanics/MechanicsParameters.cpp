@@ -1,9 +1,12 @@
 #include "MechanicsParameters.h"
 
+#include "ContactLaws.h"
+#include "Minimiser.h"
+
 namespace restenosis {
 
 void MechanicsParameters::describe(ParameterVisitor& p) {
-  p.choice(contactLaw, {"hertz", "hertzNeoHookean"},
+  p.choice(contactLaw, contactLawNames(),
            {.key = "contactLaw", .source = "T6", .description = "repulsion of overlapping agents"});
   p.quantity(contactModulus, {.key = "contactModulus",
                               .unit = "MPa",
@@ -40,7 +43,7 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
               .maximum = 10,
               .source = "T6",
               .description = "factor on the axial part of every force: a mobility, no stiffness"});
-  p.choice(minimiser, {"fire", "overdamped"},
+  p.choice(minimiser, minimiserNames(),
            {.key = "minimiser",
             .source = "assumed",
             .description = "way to the equilibrium: FIRE, or T6's overdamped motion"});

@@ -7,6 +7,7 @@
 #include "AgentStore.h"
 #include "BondTable.h"
 #include "Constraint.h"
+#include "ForceField.h"
 #include "MechanicsParameters.h"
 
 namespace restenosis {
@@ -14,13 +15,15 @@ namespace restenosis {
 /// What a relaxation did.
 struct RelaxationReport {
   int iterations = 0;
-  double residual = 0;                  ///< largest force left on a free agent over C r0^2
-  std::uint64_t agentEvaluations = 0;   ///< forces computed, one per agent and iteration
+  double residual = 0;                 ///< largest force left on a free agent over C r0^2
+  std::uint64_t agentEvaluations = 0;  ///< forces computed, one per agent and iteration
+  std::uint64_t agentsBeyondLaw =
+      0;  ///< moved agents with an overlap past the contact law's validity: continued
   bool converged = false;
 };
 
-/// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message names the
-/// settings to change.
+/// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
+/// names the settings to change.
 struct RelaxationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -28,11 +31,12 @@ struct RelaxationFailed : std::runtime_error {
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
 /// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
 ///
-/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved; the rest
-/// are checked before the relaxation ends. Results do not depend on the number of threads.
+/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved;
+/// the rest are checked before the relaxation ends. Results do not depend on the number of threads.
 class Relaxation {
  public:
-  /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown law.
+  /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
+  /// law.
   Relaxation(const MechanicsParameters& parameters, double referenceRadius);
 
   /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
@@ -44,6 +48,7 @@ class Relaxation {
 
  private:
   MechanicsParameters parameters_;
+  ForceField field_;
   double referenceRadius_;
   double characteristicForce_;
 };

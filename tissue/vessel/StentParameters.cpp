@@ -1,9 +1,11 @@
 #include "StentParameters.h"
 
+#include "StentDesign.h"
+
 namespace restenosis {
 
 void StentParameters::describe(ParameterVisitor& p) {
-  p.choice(design, {"ring", "rings", "ringsWithLinks", "helix", "biodivysio"},
+  p.choice(design, stentDesignNames(),
            {.key = "design",
             .source = "T6",
             .description = "one ring half way along; rings; rings joined by straight "

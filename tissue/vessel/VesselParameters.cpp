@@ -56,6 +56,13 @@ void VesselParameters::describe(ParameterVisitor& p) {
               .source = "assumed",
               .description = "agents nearer than this times R1 + R2 are bonded in the packed wall; "
                              "0 makes no bonds"});
+  p.quantity(fixedEnds,
+             {.key = "fixedEnds",
+              .minimum = 0,
+              .maximum = 100,
+              .source = "assumed",
+              .description = "agents whose centres lie within this many cell radii of an end of the "
+                             "vessel never move: they stand for the vessel beyond"});
   p.quantity(stenosis,
              {.key = "stenosis",
               .minimum = 0,

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace restenosis {
+
+/// What the parts of the loop hand to each other.
+enum class Quantity : std::uint8_t {
+  cellStates,       ///< cycle states, sizes and number of cells
+  agentPositions,   ///< where agents are
+  exposure,         ///< which cells face the lumen, which are crowded
+  coverage,         ///< which cells carry endothelium
+  lumen,            ///< shape of the lumen
+  wallShearStress,  ///< on cells
+  nitricOxide,      ///< of cells
+  record            ///< what is written for the user
+};
+
+/// Which biological step is being made.
+struct Instant {
+  std::uint32_t step = 0;  ///< steps made before this one
+  double time = 0;         ///< at the start of the step [s]
+  bool recorded = false;   ///< whether the state is recorded in this step
+};
+
+/// An answer to "must this run?", with the reason that is counted and shown when it is no. Reasons are
+/// categories: few different texts, without numbers.
+struct Verdict {
+  bool yes = true;
+  std::string reason;
+
+  static Verdict run() { return {}; }
+  static Verdict skip(std::string reason) { return {false, std::move(reason)}; }
+};
+
+/// A part of the coupled loop. It says what it reads and writes and what would change its answer; when it
+/// runs is the schedule's decision (model 9).
+class Part {
+ public:
+  virtual ~Part() = default;
+  virtual std::string_view name() const = 0;
+  virtual std::vector<Quantity> reads() const = 0;
+  virtual std::vector<Quantity> writes() const = 0;
+
+  /// Whether what this part makes of `quantity`, one of its reads, can change any result now. The parts that
+  /// write the quantity do not run while no reader needs it.
+  virtual Verdict needs(Quantity quantity, const Instant& now) const;
+
+  /// Whether the inputs have changed by more than the part's tolerance since it last ran.
+  virtual Verdict inputsChanged(const Instant& now) const;
+
+  virtual void run(const Instant& now) = 0;
+};
+
+}  // namespace restenosis

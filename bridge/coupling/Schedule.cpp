@@ -1,0 +1,55 @@
+#include "Schedule.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace restenosis {
+
+std::uint64_t PartCount::skippedInAll() const {
+  return std::accumulate(skipped.begin(), skipped.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& entry) { return sum + entry.second; });
+}
+
+void Schedule::add(std::unique_ptr<Part> part) {
+  counts_.try_emplace(std::string(part->name()));
+  parts_.push_back(std::move(part));
+}
+
+void Schedule::advance(const Instant& now) {
+  for (std::size_t n = 0; n < parts_.size(); ++n) {
+    const Verdict verdict = decide(n, now);
+    PartCount& count = counts_[std::string(parts_[n]->name())];
+    if (verdict.yes) {
+      parts_[n]->run(now);
+      ++count.done;
+    } else {
+      ++count.skipped[verdict.reason];
+    }
+  }
+}
+
+Verdict Schedule::decide(std::size_t part, const Instant& now) const {
+  if (mode_ == Mode::everyStep) return Verdict::run();
+  if (Verdict verdict = needed(part, now); !verdict.yes) return verdict;
+  return parts_[part]->inputsChanged(now);
+}
+
+Verdict Schedule::needed(std::size_t part, const Instant& now) const {
+  Verdict verdict = Verdict::run();
+  bool hasReader = false;
+  for (const Quantity quantity : parts_[part]->writes()) {
+    // A reader further down must itself be needed; one further up reads the quantity in the next step.
+    for (std::size_t reader = 0; reader < parts_.size(); ++reader) {
+      const auto reads = parts_[reader]->reads();
+      if (reader == part || std::ranges::find(reads, quantity) == reads.end()) continue;
+      hasReader = true;
+      Verdict answer = parts_[reader]->needs(quantity, now);
+      if (answer.yes && reader > part) answer = needed(reader, now);
+      if (answer.yes) return answer;
+      verdict = answer;
+    }
+  }
+  return hasReader ? verdict : Verdict::run();
+}
+
+}  // namespace restenosis

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "Part.h"
+
+namespace restenosis {
+
+/// How often a part ran, and how often and why it did not.
+struct PartCount {
+  std::uint64_t done = 0;
+  std::map<std::string, std::uint64_t> skipped;
+
+  std::uint64_t skippedInAll() const;
+  template <class Archive>
+  void archive(Archive& a) {
+    a(done, skipped);
+  }
+};
+
+/// Runs the parts of the loop, in order, each only when it must: when a part that reads what it writes can
+/// change a result by it, and when its own inputs have changed by more than its tolerance. A part nobody
+/// reads runs for its own sake. With `everyStep`, every part runs in every step: the reference (T6).
+class Schedule {
+ public:
+  enum class Mode { onChange, everyStep };
+
+  explicit Schedule(Mode mode) : mode_(mode) {}
+
+  /// Appends a part. Readers come after the writers they read within a step.
+  void add(std::unique_ptr<Part> part);
+  /// Makes one step.
+  void advance(const Instant& now);
+
+  /// Whether `part` would run now, without running it.
+  Verdict decide(std::size_t part, const Instant& now) const;
+
+  const std::map<std::string, PartCount>& counts() const { return counts_; }
+  template <class Archive>
+  void archive(Archive& a) {
+    a(counts_);
+  }
+
+ private:
+  Verdict needed(std::size_t part, const Instant& now) const;
+
+  Mode mode_;
+  std::vector<std::unique_ptr<Part>> parts_;
+  std::map<std::string, PartCount> counts_;
+};
+
+}  // namespace restenosis

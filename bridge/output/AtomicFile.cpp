@@ -1,0 +1,93 @@
+#include "AtomicFile.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace restenosis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason(int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG
+             ? fmt::format("{}: make room and go on with --resume", std::strerror(error))
+             : std::strerror(error);
+}
+
+/// A file being written; closed and removed unless `commit` is reached.
+class PartialFile {
+ public:
+  explicit PartialFile(fs::path target) : target_(std::move(target)), partial_(target_) {
+    partial_ += ".partial";
+    file_ = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file_ < 0) fail("create");
+  }
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+  ~PartialFile() {
+    if (file_ >= 0) ::close(file_);
+    if (!committed_) ::unlink(partial_.c_str());
+  }
+
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(file_, text.data(), text.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail("write");
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void commit() {
+    if (::fsync(file_) != 0) fail("write");
+    const int file = std::exchange(file_, -1);
+    if (::close(file) != 0) fail("write");
+    if (::rename(partial_.c_str(), target_.c_str()) != 0) fail("replace");
+    committed_ = true;
+    flushFolder();
+  }
+
+ private:
+  [[noreturn]] void fail(const char* what) const {
+    throw WriteFailed(fmt::format("cannot {} {}: {}", what, target_.string(), reason(errno)));
+  }
+
+  /// Makes the rename itself survive a power cut; file systems that cannot do it are left alone.
+  void flushFolder() const {
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle < 0) return;
+    ::fsync(handle);
+    ::close(handle);
+  }
+
+  fs::path target_, partial_;
+  int file_ = -1;
+  bool committed_ = false;
+};
+
+}  // namespace
+
+void atomicWrite(const fs::path& file, std::span<const std::string_view> pieces) {
+  PartialFile partial(file);
+  for (const auto piece : pieces) partial.write(piece);
+  partial.commit();
+}
+
+void atomicWrite(const fs::path& file, std::string_view text) { atomicWrite(file, std::span(&text, 1)); }
+
+void createFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WriteFailed(fmt::format("cannot create folder {}: {}", folder.string(), error.message()));
+  if (!fs::is_directory(folder))
+    throw WriteFailed(fmt::format("cannot create folder {}: a file of that name is there", folder.string()));
+}
+
+}  // namespace restenosis

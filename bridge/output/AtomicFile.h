@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+namespace restenosis {
+
+/// A file of the results could not be written; `what()` names the file and the system's reason.
+struct WriteFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Replaces `file` by the pieces, one after the other, so that a reader, or a run killed at any moment, finds
+/// either the old content or the new one: written to `<file>.partial`, flushed to the disk, renamed, and the
+/// folder flushed. On failure (disk full, no permission) the old file stays as it was, the partial one is
+/// removed and WriteFailed is thrown.
+void atomicWrite(const std::filesystem::path& file, std::span<const std::string_view> pieces);
+void atomicWrite(const std::filesystem::path& file, std::string_view text);
+
+/// Creates a folder and those above it; throws WriteFailed.
+void createFolder(const std::filesystem::path& folder);
+
+}  // namespace restenosis

@@ -1,0 +1,121 @@
+#include "Checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+
+#include "AtomicFile.h"
+#include "StateArchive.h"
+#include "Version.h"
+
+namespace restenosis {
+
+namespace {
+
+using Reason = CheckpointRefused::Reason;
+
+constexpr std::array<char, 8> magic{'r', 'F', 'o', 'a', 'm', 'S', 't', '\n'};
+constexpr std::uint32_t formatVersion = 1;
+
+/// The first bytes of every format; they never change their place.
+struct Prefix {
+  std::array<char, 8> magic;
+  std::uint32_t format;
+  std::uint32_t headerSize;  ///< of what follows the prefix [bytes]
+};
+
+/// What follows the prefix in format 1, before the state.
+struct Header {
+  std::string fingerprint, writtenBy, digest;
+  std::uint64_t stateSize = 0;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(fingerprint, writtenBy, stateSize, digest);
+  }
+  /// Of everything but the checksum itself, so that damage to the header shows as well.
+  std::string expectedDigest(std::string_view state) const {
+    HashingArchive hash;
+    for (const std::string_view text : {std::string_view(fingerprint), std::string_view(writtenBy), state})
+      hash.bytes(text.data(), text.size());
+    return hash.digest();
+  }
+};
+
+}  // namespace
+
+void Checkpoint::save(std::string_view fingerprint, std::string_view state) const {
+  Header header{std::string(fingerprint), std::string(version()), "", state.size()};
+  header.digest = header.expectedDigest(state);
+  WritingArchive archive;
+  archive(header);
+  const Prefix prefix{magic, formatVersion, static_cast<std::uint32_t>(archive.buffer().size())};
+  createFolder(folder_);
+  const std::array<std::string_view, 3> pieces{
+      std::string_view(reinterpret_cast<const char*>(&prefix), sizeof(prefix)), archive.buffer(), state};
+  atomicWrite(file(), pieces);
+}
+
+std::string Checkpoint::load(std::string_view fingerprint) const {
+  const auto refuse = [this](Reason reason, const std::string& why) -> CheckpointRefused {
+    return {reason, fmt::format("checkpoint {}: {}", file().string(), why)};
+  };
+  const auto truncated = [&refuse] {
+    return refuse(Reason::truncated, "is cut off; it cannot be gone on from, start the run again");
+  };
+  const auto corrupt = [&refuse] {
+    return refuse(Reason::corrupt,
+                  "is damaged (its checksum does not fit); it cannot be gone on from, start the run again");
+  };
+
+  std::error_code error;
+  const std::uint64_t fileSize = std::filesystem::file_size(file(), error);
+  std::ifstream stream(file(), std::ios::binary);
+  if (error || !stream) {
+    throw refuse(Reason::missing, exists()
+                                      ? std::string("cannot be read: ") + std::strerror(errno)
+                                      : "is not there; run without --resume to start from the beginning");
+  }
+  Prefix prefix{};
+  stream.read(reinterpret_cast<char*>(&prefix), sizeof(prefix));
+  if (stream && prefix.magic != magic)
+    throw refuse(Reason::notACheckpoint, "is not a checkpoint of restenosisFoam");
+  if (!stream) throw truncated();
+  if (prefix.format != formatVersion) {
+    throw refuse(Reason::otherFormat, fmt::format("has format {}, this program reads format {}; go on with "
+                                                  "the version that wrote it, or start the run again",
+                                                  prefix.format, formatVersion));
+  }
+  if (prefix.headerSize > fileSize - sizeof(prefix)) throw truncated();
+  std::string headerBytes(prefix.headerSize, '\0');
+  stream.read(headerBytes.data(), static_cast<std::streamsize>(headerBytes.size()));
+  Header header;
+  try {
+    ReadingArchive archive(std::move(headerBytes));
+    archive(header);
+    if (!archive.atEnd()) throw corrupt();
+  } catch (const ArchiveTruncated&) {
+    throw corrupt();
+  }
+  const std::uint64_t present = fileSize - sizeof(prefix) - prefix.headerSize;
+  if (header.stateSize > present) throw truncated();
+  if (header.stateSize < present) throw corrupt();
+  std::string state(header.stateSize, '\0');
+  stream.read(state.data(), static_cast<std::streamsize>(state.size()));
+  if (!stream) throw truncated();
+  if (header.digest != header.expectedDigest(state)) throw corrupt();
+  if (header.fingerprint != fingerprint) {
+    throw refuse(
+        Reason::foreign,
+        fmt::format("belongs to another scene or to other settings (fingerprint {}, this scene has {}; "
+                    "written by {}); resume with the scene it was started with, or start again",
+                    header.fingerprint, fingerprint, header.writtenBy));
+  }
+  return state;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace restenosis {
+
+/// A checkpoint that cannot be gone on from; `reason` tells why without parsing the message.
+struct CheckpointRefused : std::runtime_error {
+  enum class Reason { missing, notACheckpoint, otherFormat, truncated, corrupt, foreign };
+  CheckpointRefused(Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
+  Reason reason;
+};
+
+/// The stored state of a run in a folder of its own: one file that is replaced atomically, so that a run
+/// killed at any moment, or a full disk, leaves the last complete state. The state is bytes of a
+/// WritingArchive; the file adds what is needed to trust it: format, the scene it belongs to, its size and
+/// its XXH3 checksum.
+class Checkpoint {
+ public:
+  explicit Checkpoint(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path file() const { return folder_ / "state.bin"; }
+  bool exists() const { return std::filesystem::exists(file()); }
+
+  /// Replaces the stored state. `fingerprint` identifies everything of the scene that decides the run's
+  /// result. Throws WriteFailed; the former checkpoint is then still there and complete.
+  void save(std::string_view fingerprint, std::string_view state) const;
+  /// The state as it was saved. Throws CheckpointRefused when there is none, it is damaged, of another
+  /// format, or of a scene with another fingerprint.
+  std::string load(std::string_view fingerprint) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace restenosis

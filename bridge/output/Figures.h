@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace restenosis {
+
+/// Draws the pictures of a results folder (growth.png, lumen.png, section.png, lumen3d.png) by running the
+/// Python package `figures` on it as a process of its own. Pictures never fail a run.
+class Figures {
+ public:
+  /// The interpreter is RESTENOSIS_PYTHON where set, else /usr/bin/python3, whose packages Debian provides.
+  Figures();
+  Figures(std::string interpreter, std::filesystem::path script, std::chrono::seconds limit);
+
+  /// Returns what kept pictures from being drawn, in a sentence for the user that names the package to
+  /// install or the log to read (figures.log); empty when all were drawn.
+  std::string draw(const std::filesystem::path& results) const;
+
+ private:
+  std::string interpreter_;
+  std::filesystem::path script_;
+  std::chrono::seconds limit_;  ///< a process that takes longer is ended
+};
+
+}  // namespace restenosis

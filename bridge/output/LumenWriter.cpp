@@ -1,0 +1,103 @@
+#include "LumenWriter.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <limits>
+#include <nanoflann.hpp>
+
+#include "PolyDataFile.h"
+
+namespace restenosis {
+
+namespace {
+
+/// The flow's wall faces as nanoflann asks for them.
+struct FaceCentres {
+  const std::vector<WallFace>& faces;
+  std::size_t kdtree_get_point_count() const { return faces.size(); }
+  double kdtree_get_pt(std::size_t face, std::size_t axis) const {
+    return faces[face].centre[static_cast<Eigen::Index>(axis)];
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+using FaceTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FaceCentres>, FaceCentres, 3>;
+
+std::vector<std::size_t> sideTriangles(const TriSurface& lumen) {
+  std::vector<std::size_t> side;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    if (lumen.region[t] == SurfaceRegion::wall || lumen.region[t] == SurfaceRegion::strut) side.push_back(t);
+  return side;
+}
+
+std::vector<Vec3> nearestTractions(const TriSurface& lumen, const std::vector<std::size_t>& triangles,
+                                   const FlowSolution* flow) {
+  std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  if (flow == nullptr || flow->wall.empty()) return tractions;
+  const FaceCentres centres{flow->wall};
+  FaceTree tree(3, centres);
+  tree.buildIndex();
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const Vec3 centre = lumen.centre(triangles[k]);
+    std::uint32_t nearest = 0;
+    double squaredDistance = 0;
+    tree.knnSearch(centre.data(), 1, &nearest, &squaredDistance);
+    tractions[k] = flow->wall[nearest].traction;
+  }
+  return tractions;
+}
+
+/// The triangles listed and the vertices they use, renumbered.
+vtkNew<vtkPolyData> tube(const TriSurface& lumen, const std::vector<std::size_t>& triangles) {
+  constexpr vtkIdType unused = -1;
+  std::vector<vtkIdType> number(lumen.vertices.size(), unused);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  vtkNew<vtkCellArray> polygons;
+  for (const auto t : triangles) {
+    polygons->InsertNextCell(3);
+    for (const auto vertex : lumen.triangles[t]) {
+      if (number[vertex] == unused) number[vertex] = points->InsertNextPoint(lumen.vertices[vertex].data());
+      polygons->InsertCellPoint(number[vertex]);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  return data;
+}
+
+}  // namespace
+
+void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
+                double time) {
+  const auto triangles = sideTriangles(lumen);
+  const auto tractions = nearestTractions(lumen, triangles, flow);
+  const auto data = tube(lumen, triangles);
+  auto* cells = data->GetCellData();
+  addArray<vtkUnsignedCharArray>(cells, "region", triangles.size(), 1,
+                                 [&](std::size_t k, int) { return lumen.region[triangles[k]]; });
+  addArray<vtkFloatArray>(cells, "WSS", triangles.size(), 1,
+                          [&](std::size_t k, int) { return tractions[k].norm(); });
+  addArray<vtkFloatArray>(cells, "traction", triangles.size(), 3,
+                          [&](std::size_t k, int c) { return tractions[k][c]; });
+  addArray<vtkFloatArray>(data->GetPointData(), "lumenRadius",
+                          static_cast<std::size_t>(data->GetNumberOfPoints()), 1, [&](std::size_t p, int) {
+                            const double* point = data->GetPoint(static_cast<vtkIdType>(p));
+                            return std::hypot(point[0], point[1]);
+                          });
+  writePolyData(file, data, time);
+}
+
+}  // namespace restenosis

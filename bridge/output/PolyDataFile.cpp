@@ -1,0 +1,30 @@
+#include "PolyDataFile.h"
+
+#include <fmt/format.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "AtomicFile.h"
+
+namespace restenosis {
+
+void writePolyData(const std::filesystem::path& file, vtkPolyData* data, double time) {
+  vtkNew<vtkDoubleArray> timeValue;
+  timeValue->SetName("TimeValue");
+  timeValue->InsertNextValue(time / 86400.0);
+  data->GetFieldData()->AddArray(timeValue);
+
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetHeaderTypeToUInt64();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) throw WriteFailed(fmt::format("cannot encode {}", file.string()));
+  atomicWrite(file, writer->GetOutputString());
+}
+
+}  // namespace restenosis

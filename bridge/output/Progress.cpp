@@ -1,0 +1,87 @@
+#include "Progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace restenosis {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto terminalInterval = 100ms;
+constexpr auto plainInterval = 5s;
+constexpr auto recordedInterval = 1s;
+
+std::size_t terminalWidth() {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 100;
+}
+
+std::string durationText(double seconds) {
+  const auto s = static_cast<long>(std::lround(seconds));
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+}
+
+}  // namespace
+
+Progress::Progress(std::ostream& out, bool terminal, double duration, std::function<Clock::time_point()> now)
+    : out_(out), terminal_(terminal), duration_(duration), now_(std::move(now)) {}
+
+bool Progress::onTerminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+void Progress::stage(const std::string& name, std::uint64_t done, std::uint64_t total) {
+  show(fmt::format("{} {}/{}", name, done, total), done == 0 || done == total);
+}
+
+void Progress::step(const ProgressState& s, bool recorded) {
+  const auto left = timeLeft(s.time);
+  const bool due = recorded && (!shown_ || now_() - *shown_ >= recordedInterval);
+  show(fmt::format("day {:5.2f}/{:.4g}  {} agents  G0 {}  G1 {}  S/G2/M {}  divisions {}  flow solves {}{}",
+                   s.time / 86400, duration_ / 86400, s.agents, s.g0, s.g1, s.sg2m, s.divisions, s.flowSolves,
+                   left),
+       due || s.time >= duration_);
+}
+
+std::string Progress::timeLeft(double time) {
+  if (!start_) start_ = {now_(), time};
+  const double advanced = time - start_->time;
+  if (advanced <= 0 || time >= duration_) return "";
+  const double elapsed = std::chrono::duration<double>(now_() - start_->wall).count();
+  return fmt::format("  {} left", durationText(elapsed * (duration_ - time) / advanced));
+}
+
+void Progress::show(const std::string& line, bool force) {
+  const auto now = now_();
+  const Clock::duration interval =
+      terminal_ ? Clock::duration(terminalInterval) : Clock::duration(plainInterval);
+  if (!force && shown_ && now - *shown_ < interval) return;
+  shown_ = now;
+  if (terminal_) {
+    line_ = line.substr(0, std::max<std::size_t>(terminalWidth(), 2) - 1);
+    out_ << '\r' << line_ << "\x1b[K" << std::flush;
+  } else {
+    out_ << line << std::endl;
+  }
+}
+
+void Progress::message(const std::string& text) {
+  if (line_.empty()) {
+    out_ << text << std::endl;
+  } else {
+    out_ << '\r' << text << "\x1b[K\n" << line_ << std::flush;
+  }
+}
+
+void Progress::finish() {
+  if (!line_.empty()) out_ << std::endl;
+  line_.clear();
+}
+
+}  // namespace restenosis

@@ -1,0 +1,120 @@
+#include "ResultsFolder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "AtomicFile.h"
+
+namespace restenosis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Marks a results folder as this program's; the lock is on it.
+constexpr const char* marker = ".restenosisFoam";
+constexpr const char* previous = "previous";
+
+bool writtenByRun(const fs::path& name) {
+  static constexpr std::array<std::string_view, 14> names{
+      "scene.toml",  "timeSeries.csv", "profile.csv", "summary.json", "tissue.pvd",
+      "lumen.pvd",   "tissue",         "lumen",       "flow",         "checkpoint",
+      "report.html", "run.log",        "figures.log", "compare.json"};
+  const auto text = name.string();
+  const auto whole = text.ends_with(".partial") ? text.substr(0, text.size() - 8) : text;
+  return std::ranges::find(names, whole) != names.end() || name.extension() == ".png";
+}
+
+std::string firstEntry(const fs::path& folder) {
+  std::string first;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto name = entry.path().filename().string();
+    if (first.empty() || name < first) first = name;
+  }
+  return first;
+}
+
+void movePreviousRun(const fs::path& folder) {
+  std::vector<fs::path> former;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (writtenByRun(entry.path().filename())) former.push_back(entry.path());
+  if (former.empty()) return;
+  fs::remove_all(folder / previous);
+  fs::create_directory(folder / previous);
+  for (const auto& path : former) fs::rename(path, folder / previous / path.filename());
+}
+
+}  // namespace
+
+int ResultsFolder::acquireLock(const fs::path& folder) {
+  const auto file = folder / marker;
+  const int lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock < 0)
+    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), std::strerror(errno)));
+  if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    std::array<char, 32> owner{};
+    const auto read = ::read(lock, owner.data(), owner.size() - 1);
+    ::close(lock);
+    if (error != EWOULDBLOCK)
+      throw WriteFailed(fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
+    throw FolderRefused(
+        fmt::format("another run{} is writing into {}: wait for it, or choose another folder with -o",
+                    read > 0 ? fmt::format(" (process {})", owner.data()) : "", folder.string()));
+  }
+  const auto owner = fmt::format("{}", ::getpid());
+  if (::ftruncate(lock, 0) != 0 ||
+      ::pwrite(lock, owner.data(), owner.size(), 0) != static_cast<ssize_t>(owner.size())) {
+    const int error = errno;
+    ::close(lock);
+    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), std::strerror(error)));
+  }
+  return lock;
+}
+
+ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
+  createFolder(folder);
+  if (!fs::exists(folder / marker) && !fs::is_empty(folder)) {
+    throw FolderRefused(fmt::format(
+        "{} holds files that are not results of restenosisFoam (for example '{}'): choose another "
+        "folder with -o, or empty this one",
+        folder.string(), firstEntry(folder)));
+  }
+  ResultsFolder results(folder, acquireLock(folder));
+  try {
+    movePreviousRun(folder);
+  } catch (const fs::filesystem_error& error) {
+    throw WriteFailed(
+        fmt::format("cannot move the former run in {} aside: {}", folder.string(), error.what()));
+  }
+  return results;
+}
+
+ResultsFolder ResultsFolder::existing(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw FolderRefused(fmt::format("there is no folder {}", folder.string()));
+  if (!fs::exists(folder / marker))
+    throw FolderRefused(fmt::format("{} is not a results folder of restenosisFoam", folder.string()));
+  return ResultsFolder(folder, acquireLock(folder));
+}
+
+ResultsFolder::ResultsFolder(ResultsFolder&& other) noexcept
+    : folder_(std::move(other.folder_)), lock_(std::exchange(other.lock_, -1)) {}
+
+ResultsFolder::~ResultsFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+fs::path ResultsFolder::flowCase(double time) const {
+  return folder_ / "flow" / fmt::format("{:.6g}", time / 86400.0);
+}
+
+}  // namespace restenosis

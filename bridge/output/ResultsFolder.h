@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace restenosis {
+
+/// A folder that a run may not use; `what()` says why and what to do.
+struct FolderRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The folder of a run's results: knows the place of every file, and holds a lock while it lives, so that no
+/// two runs write into one folder (the system releases the lock when the process ends in any way).
+///
+/// A fresh run into a results folder of this program moves the former run's files to `previous/` (replacing
+/// what is there) and leaves every other file alone. A folder with files, but without a run of this program,
+/// is refused.
+class ResultsFolder {
+ public:
+  /// For a new run: creates the folder, or clears it of the former run. Throws FolderRefused or WriteFailed.
+  static ResultsFolder fresh(const std::filesystem::path& folder);
+  /// For a run to go on with, or to be looked at: everything stays. Throws FolderRefused when it is no
+  /// results folder.
+  static ResultsFolder existing(const std::filesystem::path& folder);
+
+  ResultsFolder(ResultsFolder&& other) noexcept;
+  ResultsFolder& operator=(ResultsFolder&&) = delete;
+  ~ResultsFolder();
+
+  const std::filesystem::path& path() const { return folder_; }
+  std::filesystem::path scene() const { return folder_ / "scene.toml"; }
+  std::filesystem::path timeSeries() const { return folder_ / "timeSeries.csv"; }
+  std::filesystem::path profile() const { return folder_ / "profile.csv"; }
+  std::filesystem::path summary() const { return folder_ / "summary.json"; }
+  std::filesystem::path checkpoint() const { return folder_ / "checkpoint"; }
+  /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals
+  /// as hours need ("flow/3", "flow/3.125").
+  std::filesystem::path flowCase(double time) const;
+
+ private:
+  ResultsFolder(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}
+  static int acquireLock(const std::filesystem::path& folder);
+
+  std::filesystem::path folder_;
+  int lock_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,74 @@
+#include "SummaryJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include "AtomicFile.h"
+#include "Version.h"
+
+namespace restenosis {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finalValues(const TimeSeriesRow& row) {
+  auto values = Json::object();
+  row.forEachColumn([&values](const char* column, const auto& value, double scale) {
+    if constexpr (requires { value.has_value(); }) {
+      values[column] = value ? Json(*value * scale) : Json(nullptr);
+    } else if constexpr (std::is_integral_v<std::decay_t<decltype(value)>>) {
+      values[column] = value;
+    } else {
+      values[column] = value * scale;
+    }
+  });
+  return values;
+}
+
+Json flowSolves(const Summary& summary) {
+  Json flow;
+  flow["backend"] = summary.flowBackend.empty() ? Json(nullptr) : Json(summary.flowBackend);
+  flow["solvesDone"] = summary.flow.totalDone();
+  flow["solvesSkipped"] = summary.flow.totalSkipped();
+  flow["doneBecause"] = Json(summary.flow.done);
+  flow["skippedBecause"] = Json(summary.flow.skipped);
+  return flow;
+}
+
+Json partCosts(const Summary& summary) {
+  auto parts = Json::object();
+  for (const auto& [name, cost] : summary.parts) {
+    auto& part = parts[name];
+    part["seconds"] = cost.seconds;
+    part["peakMemory_MiB"] = static_cast<double>(cost.peakMemory) / 0x1p20;
+    if (cost.peakChildMemory > 0)
+      part["peakChildProcessMemory_MiB"] = static_cast<double>(cost.peakChildMemory) / 0x1p20;
+    part["calls"] = cost.calls;
+  }
+  return parts;
+}
+
+}  // namespace
+
+void writeSummaryJson(const std::filesystem::path& file, const Summary& summary) {
+  Json json;
+  json["scene"] = summary.scene;
+  json["title"] = summary.title;
+  json["status"] = summary.status;
+  json["version"] = version();
+  json["seed"] = summary.seed;
+  json["threads"] = summary.threads;
+  json["agents"] = summary.last.agents;
+  json["stateDigest"] = summary.stateDigest;
+  json["final"] = finalValues(summary.last);
+  json["flow"] = flowSolves(summary);
+  json["parts"] = partCosts(summary);
+  double total = 0;
+  for (const auto& [name, cost] : summary.parts) total += cost.seconds;
+  json["totalSeconds"] = total;
+  json["remarks"] = summary.remarks;
+  // Titles and messages may hold bytes that are not UTF-8; they must not cost a finished run its summary.
+  atomicWrite(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace restenosis

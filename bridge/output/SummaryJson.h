@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "PartTimer.h"
+#include "SolveCounts.h"
+#include "TimeSeriesRow.h"
+
+namespace restenosis {
+
+/// What summary.json says of a run; see `writeSummaryJson`.
+struct Summary {
+  std::string scene, title;
+  std::string status = "finished";  ///< or what ended the run
+  std::int64_t seed = 0;
+  int threads = 1;
+  std::string flowBackend;  ///< empty when no flow is modelled
+  std::string stateDigest;
+  TimeSeriesRow last;  ///< the final values
+  SolveCounts flow;
+  std::map<std::string, PartCost> parts;
+  std::vector<std::string> remarks;  ///< warnings and retries of all parts
+};
+
+/// Writes summary.json: scene, title, status, version, seed, threads, agents, stateDigest, final (the columns
+/// of timeSeries.csv; null where unknown), flow (solves done and skipped, with reasons), parts (seconds and
+/// peak memory), totalSeconds, remarks. Throws WriteFailed.
+void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
+
+}  // namespace restenosis

@@ -1,0 +1,69 @@
+"""Reads a results folder into numpy arrays."""
+
+import csv
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+KINDS = {"smc": 0, "iel": 1, "eel": 2, "strut": 3}
+
+
+def time_series(folder):
+    """The columns of timeSeries.csv by name; an empty field is NaN."""
+    path = folder / "timeSeries.csv"
+    if not path.exists():
+        raise FileNotFoundError(f"there is no {path}")
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    if not rows:
+        raise FileNotFoundError(f"{path} has no rows yet")
+    return {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
+
+
+def frames(folder, series):
+    """[(day, data file)] of tissue.pvd or lumen.pvd."""
+    path = folder / f"{series}.pvd"
+    if not path.exists():
+        raise FileNotFoundError(f"there is no {path}")
+    entries = ElementTree.parse(path).getroot().iter("DataSet")
+    found = [(float(entry.get("timestep")), folder / entry.get("file")) for entry in entries]
+    if not found:
+        raise FileNotFoundError(f"{path} has no entries yet")
+    return found
+
+
+def spread(items, count):
+    """At most `count` of the items, evenly spread, the first and the last among them."""
+    if len(items) <= count:
+        return items
+    return [items[round(k * (len(items) - 1) / (count - 1))] for k in range(count)]
+
+
+def poly_data(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def agents(path):
+    """Arrays of a tissue file by name, and `position` (n, 3) [m]."""
+    data = poly_data(path)
+    points = data.GetPointData()
+    arrays = {points.GetArrayName(k): vtk_to_numpy(points.GetArray(k)) for k in range(points.GetNumberOfArrays())}
+    arrays["position"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    return arrays
+
+
+def lumen(path):
+    """Of a lumen file: vertices (n, 3) [m], triangles (m, 3), WSS [Pa] and region of each triangle."""
+    data = poly_data(path)
+    cells = data.GetCellData()
+    return {
+        "vertices": vtk_to_numpy(data.GetPoints().GetData()).astype(float),
+        "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
+        "WSS": vtk_to_numpy(cells.GetArray("WSS")).astype(float),
+        "region": vtk_to_numpy(cells.GetArray("region")),
+    }

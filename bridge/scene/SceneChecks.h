@@ -1,0 +1,19 @@
+#pragma once
+
+#include "Scene.h"
+#include "SceneDocument.h"
+#include "SceneFindings.h"
+#include "Units.h"
+
+namespace restenosis {
+
+/// Checks what no single key can tell: sections that need each other, lengths that must fit into each other.
+/// Adds what is wrong to `findings`, at the key to blame. Skips checks of keys that are already found wrong.
+void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
+                SceneFindings& findings);
+
+/// Agents of the packed wall, from the packing fraction and the mean radius: what memory and time go with.
+/// Zero for a scene without tissue, or with agents from a file.
+double estimatedAgents(const Scene& scene);
+
+}  // namespace restenosis

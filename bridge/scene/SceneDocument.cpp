@@ -1,0 +1,129 @@
+#include "SceneDocument.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace restenosis {
+namespace {
+
+ScenePlace placeIn(const std::string& file, const toml::source_region& region) {
+  return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+decltype(GivenValue::value) valueOf(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::boolean:
+      return **node.as_boolean();
+    case toml::node_type::integer:
+      return **node.as_integer();
+    case toml::node_type::floating_point:
+      return **node.as_floating_point();
+    case toml::node_type::string:
+      return **node.as_string();
+    case toml::node_type::array:
+      return UnusableValue{"a list"};
+    case toml::node_type::table:
+      return UnusableValue{"a table"};
+    default:
+      return UnusableValue{"a date or time"};
+  }
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// A value as typed after `--set key=`: TOML if it is one value of TOML, else the bare text.
+decltype(GivenValue::value) typedValue(std::string_view text) {
+  try {
+    const toml::table table = toml::parse(fmt::format("value = {}", text));
+    if (table.size() == 1) return valueOf(table.begin()->second);
+  } catch (const toml::parse_error&) {
+    // Not TOML, then: a bare word or quantity.
+  }
+  return std::string(text);
+}
+
+}  // namespace
+
+SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
+                             std::vector<Diagnostic>& diagnostics)
+    : file_(file) {
+  toml::table root;
+  try {
+    root = toml::parse(toml);
+  } catch (const toml::parse_error& error) {
+    broken_ = true;
+    const ScenePlace place = placeIn(file, error.source());
+    diagnostics.push_back({file, place.line, place.column,
+                           fmt::format("not valid TOML (column {}): {}", place.column, error.description())});
+    return;
+  }
+  for (const auto& [key, node] : root) {
+    const std::string name(key.str());
+    const ScenePlace place = placeIn(file, key.source());
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      diagnostics.push_back({file, place.line, place.column,
+                             node.is_array_of_tables()
+                                 ? fmt::format("[[{}]] is a list; write [{}]", name, name)
+                                 : fmt::format("'{}' stands outside of any section; keys belong under a "
+                                               "header such as [vessel]",
+                                               name)});
+      continue;
+    }
+    GivenSection& section = sections_[name];
+    section.place = place;
+    for (const auto& [entryKey, entry] : *table) {
+      section.values[std::string(entryKey.str())] = {valueOf(entry), placeIn(file, entryKey.source()), {}};
+    }
+  }
+}
+
+void SceneDocument::apply(std::string_view override, std::vector<Diagnostic>& diagnostics) {
+  const auto equals = override.find('=');
+  const std::string_view name = trimmed(override.substr(0, equals));
+  const ScenePlace place{fmt::format("--set {}", name), 0, 0};
+  const auto complain = [&](std::string message) {
+    diagnostics.push_back({place.file, 0, 0, std::move(message)});
+  };
+  if (equals == std::string_view::npos) {
+    return complain("no value; write section.key=value, section=absent or section=present");
+  }
+  const std::string_view value = trimmed(override.substr(equals + 1));
+  const auto dot = name.find('.');
+  const std::string section(trimmed(name.substr(0, dot)));
+  if (section.empty()) return complain("no section; write section.key=value");
+
+  if (dot == std::string_view::npos) {
+    if (value == "absent") {
+      sections_.erase(section);
+    } else if (value == "present") {
+      sections_.try_emplace(section, GivenSection{place, {}});
+    } else {
+      complain(fmt::format("write {}.key=value for a key, or {}=absent or {}=present for the whole section",
+                           section, section, section));
+    }
+    return;
+  }
+  const std::string key(trimmed(name.substr(dot + 1)));
+  if (key.empty()) return complain("no key; write section.key=value");
+  sections_.try_emplace(section, GivenSection{place, {}}).first->second.values[key] = {
+      typedValue(value), place, std::string(value)};
+}
+
+const GivenSection* SceneDocument::find(std::string_view section) const {
+  const auto found = sections_.find(section);
+  return found == sections_.end() ? nullptr : &found->second;
+}
+
+ScenePlace SceneDocument::placeOf(std::string_view section, std::string_view key) const {
+  const GivenSection* given = find(section);
+  if (given == nullptr) return {file_, 1, 1};
+  const auto value = given->values.find(key);
+  return value == given->values.end() ? given->place : value->second.place;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "Diagnostic.h"
+
+namespace restenosis {
+
+/// A value of a kind that no key has: a table, a list, a date.
+struct UnusableValue {
+  std::string kind;  ///< "a list"
+};
+
+/// One value as given, and where.
+struct GivenValue {
+  std::variant<bool, std::int64_t, double, std::string, UnusableValue> value;
+  ScenePlace place;
+  std::string raw;  ///< of an override, its text as typed: words may come without quotes there
+};
+
+/// One section as given.
+struct GivenSection {
+  ScenePlace place;
+  std::map<std::string, GivenValue, std::less<>> values;
+};
+
+/// What a scene file and the overrides say, before anyone asks what it means. Nothing of TOML beyond this.
+class SceneDocument {
+ public:
+  /// Reads TOML. What is wrong is added to `diagnostics`; broken TOML gives one message and an empty
+  /// document.
+  SceneDocument(std::string_view toml, const std::string& file, std::vector<Diagnostic>& diagnostics);
+
+  /// Applies one `--set` of the command line over what the file says:
+  ///
+  ///   section.key=VALUE   VALUE in TOML, or a word or quantity without quotes (`vessel.length=1.2 mm`);
+  ///                       adds the section where the scene has none
+  ///   section=present     adds the section with its defaults, if the scene has none
+  ///   section=absent      takes the section out of the scene
+  void apply(std::string_view override, std::vector<Diagnostic>& diagnostics);
+
+  const std::string& file() const { return file_; }
+  const std::map<std::string, GivenSection, std::less<>>& sections() const { return sections_; }
+  /// The section, or null when it is not given.
+  const GivenSection* find(std::string_view section) const;
+  /// Where the key is given, else its section, else the file's first line. An empty key asks for the section.
+  ScenePlace placeOf(std::string_view section, std::string_view key) const;
+  bool broken() const { return broken_; }
+
+ private:
+  std::string file_;
+  std::map<std::string, GivenSection, std::less<>> sections_;
+  bool broken_ = false;
+};
+
+}  // namespace restenosis

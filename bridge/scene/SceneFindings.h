@@ -1,0 +1,23 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "Diagnostic.h"
+
+namespace restenosis {
+
+/// What was found wrong so far, and with which keys: a check that needs one of those would only blame the
+/// same slip twice.
+struct SceneFindings {
+  std::vector<Diagnostic> diagnostics;
+  std::set<std::string, std::less<>> unreliable;  ///< "section" or "section.key"
+
+  void add(const ScenePlace& place, std::string message) {
+    diagnostics.push_back({place.file, place.line, place.column, std::move(message)});
+  }
+};
+
+}  // namespace restenosis

@@ -1,0 +1,147 @@
+#include "SceneReader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <tuple>
+#include <type_traits>
+
+#include "NearestName.h"
+#include "SceneChecks.h"
+#include "SceneDocument.h"
+#include "SceneFindings.h"
+#include "SectionReader.h"
+
+namespace restenosis {
+namespace {
+
+/// Collects the names of a section's keys.
+class KeyCollector : public ParameterVisitor {
+ public:
+  explicit KeyCollector(std::vector<std::string_view>& keys) : keys_(keys) {}
+  void quantity(double&, const ParameterInfo& info) override { keys_.push_back(info.key); }
+  void integer(std::int64_t&, const ParameterInfo& info) override { keys_.push_back(info.key); }
+  void boolean(bool&, const ParameterInfo& info) override { keys_.push_back(info.key); }
+  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo& info) override {
+    keys_.push_back(info.key);
+  }
+  void text(std::string&, const ParameterInfo& info) override { keys_.push_back(info.key); }
+  void file(std::string&, const ParameterInfo& info) override { keys_.push_back(info.key); }
+
+ private:
+  std::vector<std::string_view>& keys_;
+};
+
+KeysOfSections keysOfSections() {
+  KeysOfSections all;
+  Scene scene;
+  scene.forEachSection([&all](auto& section, bool) {
+    auto& keys = all.emplace_back(section.section, std::vector<std::string_view>()).second;
+    KeyCollector collector(keys);
+    section.describe(collector);
+  });
+  return all;
+}
+
+/// Notes unknown sections, and required ones that are missing.
+void checkSections(const SceneDocument& document, const KeysOfSections& all, SceneFindings& findings) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, keys] : all) names.push_back(name);
+  for (const auto& [name, section] : document.sections()) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    findings.add(section.place, fmt::format("unknown section [{}]{}", name, suggestion(name, names)));
+    findings.unreliable.insert(nearestName(name, names));
+  }
+  for (const auto required : {SceneParameters::section, VesselParameters::section}) {
+    if (document.find(required) != nullptr) continue;
+    // A misspelt section has been named already.
+    if (findings.unreliable.insert(std::string(required)).second) {
+      findings.add(document.placeOf(required, ""), fmt::format("section [{}] is missing", required));
+    }
+  }
+}
+
+/// Defaults that follow from other keys.
+void resolve(Scene& scene, const SceneDocument& document) {
+  // One ring has no use for the length of a stent: the default must not make a short vessel invalid.
+  const GivenSection* stent = document.find(StentParameters::section);
+  if (stent != nullptr && scene.stent->design == "ring" && stent->values.count("length") == 0) {
+    scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
+  }
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
+  throw SceneError({{file.string(), 0, 0, std::move(message)}});
+}
+
+/// "; did you mean scenes/quick.toml?" for a file that does not exist.
+std::string similarFile(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::vector<std::string> names;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().extension() == ".toml") names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const std::string nearest =
+      nearestName(file.filename().string(), std::vector<std::string_view>(names.begin(), names.end()));
+  return nearest.empty() ? "" : fmt::format("; did you mean {}?", (file.parent_path() / nearest).string());
+}
+
+}  // namespace
+
+Scene SceneReader::readFile(const std::filesystem::path& file,
+                            const std::vector<std::string>& overrides) const {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) refuse(file, "no such scene file" + similarFile(file));
+  if (std::filesystem::is_directory(status)) refuse(file, "is a folder; a scene file (*.toml) is expected");
+  std::ifstream stream(file, std::ios::binary);
+  const std::string toml{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) refuse(file, "cannot be read");
+  return readText(toml, file, overrides);
+}
+
+Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& file,
+                            const std::vector<std::string>& overrides) const {
+  SceneFindings findings;
+  SceneDocument document(toml, file.string(), findings.diagnostics);
+  if (document.broken()) throw SceneError(findings.diagnostics);
+  for (const auto& override : overrides) document.apply(override, findings.diagnostics);
+
+  const KeysOfSections all = keysOfSections();
+  checkSections(document, all, findings);
+
+  Scene scene;
+  scene.name = file.stem().string();
+  scene.file = file;
+  scene.forEachOptionalSection([&document](auto& section) {
+    using Section = typename std::remove_reference_t<decltype(section)>::value_type;
+    if (document.find(Section::section) != nullptr) section.emplace();
+  });
+  scene.forEachSection([&](auto& section, bool) {
+    const GivenSection* given = document.find(section.section);
+    if (given == nullptr) return;
+    SectionReader reader(section.section, *given, file.parent_path(), units_, findings);
+    section.describe(reader);
+    reader.finish(all);
+  });
+  resolve(scene, document);
+  checkScene(scene, document, units_, findings);
+
+  if (findings.diagnostics.empty()) return scene;
+  // In the order of the file; what comes from the command line last.
+  std::stable_sort(findings.diagnostics.begin(), findings.diagnostics.end(),
+                   [&document](const Diagnostic& a, const Diagnostic& b) {
+                     return std::tuple(a.file != document.file(), a.line, a.column) <
+                            std::tuple(b.file != document.file(), b.line, b.column);
+                   });
+  throw SceneError(std::move(findings.diagnostics));
+}
+
+}  // namespace restenosis

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "Diagnostic.h"
+#include "Scene.h"
+#include "Units.h"
+
+namespace restenosis {
+
+/// Reads scenes: TOML, with every quantity in quotes with its unit. A scene is returned only if nothing is
+/// wrong with it; otherwise SceneError carries every finding with its place. Nothing is written.
+///
+/// `overrides` are the values of the command line's `--set`, applied in order before anything is checked; see
+/// SceneDocument::apply for their forms.
+class SceneReader {
+ public:
+  explicit SceneReader(const Units& units) : units_(units) {}
+
+  /// Throws SceneError, also when the file cannot be read.
+  Scene readFile(const std::filesystem::path& file, const std::vector<std::string>& overrides = {}) const;
+
+  /// The same for a text; `file` is what messages name, gives the scene its name, and is where relative paths
+  /// start.
+  Scene readText(std::string_view toml, const std::filesystem::path& file,
+                 const std::vector<std::string>& overrides = {}) const;
+
+ private:
+  const Units& units_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include "Figures.h"
+#include "SyntheticResults.h"
+#include "TemporaryFolder.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+bool pythonHasPackages() {
+  return std::system("/usr/bin/python3 -c 'import matplotlib, vtkmodules' >/dev/null 2>&1") == 0 &&
+         (std::getenv("DISPLAY") != nullptr || std::system("command -v xvfb-run >/dev/null") == 0);
+}
+
+TEST(Figures, DrawsEveryPicture) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  SyntheticResults().write(folder.path());
+  EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+  for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png"}) {
+    const auto picture = readText(folder / name);
+    EXPECT_TRUE(picture.starts_with("\x89PNG")) << name;
+    // A blank picture of these sizes compresses to a few kilobytes.
+    EXPECT_GT(picture.size(), 20000u) << name;
+  }
+}
+
+TEST(Figures, DrawsWhatThereIsBeforeAnyFlowAndForOneFrame) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  SyntheticResults results;
+  results.frames = 1;
+  results.write(folder.path());
+  EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+}
+
+TEST(Figures, NamesWhatIsMissing) {
+  TemporaryFolder folder;
+  EXPECT_NE(Figures("/nonexistent/python3", "figures", 5s).draw(folder.path()).find("RESTENOSIS_PYTHON"),
+            std::string::npos);
+  writeText(folder / "fails.py", "import sys\nsys.exit('install the package python3-matplotlib')\n");
+  const auto problem = Figures("/usr/bin/python3", folder / "fails.py", 60s).draw(folder.path());
+  EXPECT_NE(problem.find("install the package python3-matplotlib"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("figures.log"), std::string::npos) << problem;
+}
+
+TEST(Figures, GivesUpOnAProcessThatHangs) {
+  TemporaryFolder folder;
+  writeText(folder / "hang.py", "import time\ntime.sleep(60)\n");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_NE(Figures("/usr/bin/python3", folder / "hang.py", 1s).draw(folder.path()).find("given up"),
+            std::string::npos);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "AgentTable.h"
+
+namespace restenosis {
+namespace {
+
+class AgentTable : public testing::Test {
+ protected:
+  ~AgentTable() override { std::filesystem::remove(file); }
+  void write(const std::string& text) { std::ofstream(file) << text; }
+  std::string errorOf(const std::string& text) {
+    write(text);
+    try {
+      readAgentTable(file);
+    } catch (const AgentTableError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("agents-" + std::to_string(getpid()) + ".csv");
+};
+
+TEST_F(AgentTable, ReadsWhatItWrote) {
+  AgentStore agents;
+  agents.append(AgentKind::iel, {915e-6, -1.25e-9, 1.0 / 3 * 1e-3}, 15e-6);
+  agents.append(AgentKind::strut, {0, 0, 0}, 7.5e-6);
+  writeAgentTable(file, agents);
+  const AgentStore read = readAgentTable(file);
+  ASSERT_EQ(read.size(), 2u);
+  for (Index i = 0; i < 2; ++i) {
+    EXPECT_LT((read.position(i) - agents.position(i)).norm(), 1e-18);
+    EXPECT_NEAR(read.radius[i], agents.radius[i], 1e-20);
+    EXPECT_EQ(read.kind[i], agents.kind[i]);
+  }
+}
+
+TEST_F(AgentTable, TakesColumnsInAnyOrderAndTheDefaultKind) {
+  write("# made by hand\nradius, z, y, x\r\n\n15, 3, 2, 1\r\n");
+  const AgentStore agents = readAgentTable(file, AgentKind::strut);
+  ASSERT_EQ(agents.size(), 1u);
+  EXPECT_LT((agents.position(0) - Vec3(1e-6, 2e-6, 3e-6)).norm(), 1e-18);
+  EXPECT_EQ(agents.kind[0], AgentKind::strut);
+}
+
+TEST_F(AgentTable, NamesFileAndLineOfEveryError) {
+  const std::string header = "x,y,z,radius,kind\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {"x,y,z\n1,2,3\n", ":1: column 'radius' is missing"},
+      {"x,y,z,radius,colour\n", ":1: unknown column 'colour'; allowed are"},
+      {"x,y,x,radius\n", ":1: column 'x' appears twice"},
+      {header + "1,2,3,15\n", ":2: 4 cells where the header names 5 columns"},
+      {header + "1,2,3,15,smc\n1,two,3,15,smc\n", ":3: column 'y': 'two' is not a finite number"},
+      {header + "1,nan,3,15,smc\n", ":2: column 'y': 'nan' is not a finite number"},
+      {header + "1,,3,15,smc\n", ":2: column 'y': '' is not a finite number"},
+      {header + "1,2,3,0,smc\n", ":2: the radius must be larger than 0 um"},
+      {header + "1,2,3,15,ecm\n", ":2: unknown kind 'ecm'; allowed are smc, iel, eel, strut"},
+      {header, ": holds no agents"}};
+  for (const auto& [text, message] : cases) {
+    const std::string error = errorOf(text);
+    EXPECT_TRUE(error.starts_with(file.string() + message)) << error;
+  }
+  EXPECT_THROW(readAgentTable("/nowhere/agents.csv"), AgentTableError);
+  EXPECT_THROW(writeAgentTable("/nowhere/agents.csv", AgentStore()), AgentTableError);
+}
+
+}  // namespace
+}  // namespace restenosis

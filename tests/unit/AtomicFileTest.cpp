@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "AtomicFile.h"
+#include "FileSizeLimit.h"
+#include "TemporaryFolder.h"
+
+namespace restenosis {
+namespace {
+
+TEST(AtomicFile, ReplacesAFileAndLeavesNothingElse) {
+  TemporaryFolder folder;
+  atomicWrite(folder / "a.txt", "first");
+  atomicWrite(folder / "a.txt", "second");
+  EXPECT_EQ(readText(folder / "a.txt"), "second");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.partial"));
+}
+
+TEST(AtomicFile, OverwritesWhatAKilledRunLeft) {
+  TemporaryFolder folder;
+  writeText(folder / "a.txt.partial", "half of something much longer");
+  atomicWrite(folder / "a.txt", "whole");
+  EXPECT_EQ(readText(folder / "a.txt"), "whole");
+}
+
+TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
+  TemporaryFolder folder;
+  atomicWrite(folder / "a.txt", "old");
+  FileSizeLimit full(4096);
+  try {
+    atomicWrite(folder / "a.txt", std::string(100000, 'x'));
+    FAIL() << "wrote beyond the limit";
+  } catch (const WriteFailed& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("a.txt"), std::string::npos) << message;
+    EXPECT_NE(message.find("make room"), std::string::npos) << message;
+  }
+  EXPECT_EQ(readText(folder / "a.txt"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.partial"));
+}
+
+TEST(AtomicFile, NamesAFolderThatIsNotThere) {
+  TemporaryFolder folder;
+  EXPECT_THROW(atomicWrite(folder / "missing/a.txt", "text"), WriteFailed);
+}
+
+TEST(AtomicFile, CannotCreateAFolderWhereAFileIs) {
+  TemporaryFolder folder;
+  writeText(folder / "file", "");
+  EXPECT_THROW(createFolder(folder / "file"), WriteFailed);
+  EXPECT_THROW(createFolder(folder / "file/below"), WriteFailed);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "ForceField.h"
+#include "RandomStream.h"
+#include "Relaxation.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double r0 = 15e-6;
+
+/// A block of n^3 agents on a disturbed cubic lattice with overlaps of about 5 % of the diameter, its lowest
+/// and highest layer fixed, bonded where near.
+struct Block {
+  AgentStore agents;
+  BondTable bonds;
+
+  explicit Block(int n, bool bonded = true) {
+    const double spacing = 1.9 * r0;
+    for (int z = 0; z < n; ++z) {
+      for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+          RandomStream random(1, agents.nextId, 0, RandomPurpose::packing);
+          const Vec3 noise = 0.1 * r0 * random.uniform() * random.direction();
+          const Index i = agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r0);
+          agents.set(i, AgentFlag::fixed, z == 0 || z == n - 1);
+        }
+      }
+    }
+    bonds.resize(agents.size());
+    for (Index i = 0; bonded && i < agents.size(); ++i) {
+      for (Index j = 0; j < i; ++j) {
+        const double distance = (agents.position(i) - agents.position(j)).norm();
+        if (distance < 2.2 * r0) bonds.connect(i, j, distance);
+      }
+    }
+  }
+};
+
+double largestDifference(const AgentStore& a, const AgentStore& b) {
+  double largest = 0;
+  for (Index i = 0; i < a.size(); ++i) largest = std::max(largest, (a.position(i) - b.position(i)).norm());
+  return largest;
+}
+
+double largestResidual(const MechanicsParameters& p, const Block& block) {
+  double largest = 0;
+  const auto loads = ForceField(p).evaluate(block.agents, block.bonds);
+  for (Index i = 0; i < block.agents.size(); ++i) {
+    if (!block.agents.has(i, AgentFlag::fixed)) largest = std::max(largest, loads[i].force().norm());
+  }
+  return largest / (p.contactModulus * r0 * r0);
+}
+
+TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
+  for (const auto* law : {"hertz", "hertzNeoHookean"}) {
+    for (const auto* minimiser : {"fire", "overdamped"}) {
+      MechanicsParameters p;
+      p.contactLaw = law, p.minimiser = minimiser;
+      Block block(7);
+      const auto report = Relaxation(p, r0).relax(block.agents, block.bonds, {});
+      EXPECT_TRUE(report.converged);
+      EXPECT_GT(report.iterations, 0);
+      EXPECT_LE(report.residual, p.tolerance);
+      EXPECT_NEAR(report.residual, largestResidual(p, block), 1e-12) << law << ' ' << minimiser;
+    }
+  }
+}
+
+TEST(Relaxation, MovesNeitherFixedAgentsNorStruts) {
+  Block block(5);
+  block.agents.kind[60] = AgentKind::strut;
+  const AgentStore before = block.agents;
+  Relaxation(MechanicsParameters{}, r0).relax(block.agents, block.bonds, {});
+  for (Index i = 0; i < before.size(); ++i) {
+    const bool obstacle = before.has(i, AgentFlag::fixed) || i == 60;
+    if (obstacle) {
+      EXPECT_EQ(block.agents.position(i), before.position(i));
+    }
+  }
+  EXPECT_GT(largestDifference(block.agents, before), 0);
+}
+
+TEST(Relaxation, GivesTheSameBitsForAnyNumberOfThreads) {
+  const int threads = omp_get_max_threads();
+  Block one(9), three(9);
+  omp_set_num_threads(1);
+  Relaxation(MechanicsParameters{}, r0).relax(one.agents, one.bonds, {});
+  omp_set_num_threads(3);
+  Relaxation(MechanicsParameters{}, r0).relax(three.agents, three.bonds, {});
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one.agents.x, three.agents.x);
+  EXPECT_EQ(one.agents.y, three.agents.y);
+  EXPECT_EQ(one.agents.z, three.agents.z);
+  EXPECT_EQ(one.agents.pressure, three.agents.pressure);
+}
+
+TEST(Relaxation, LeavesAQuietTissueAsItIs) {
+  Block block(6);
+  Relaxation relaxation(MechanicsParameters{}, r0);
+  relaxation.relax(block.agents, block.bonds, {});
+  const AgentStore before = block.agents;
+  const auto report = relaxation.relax(block.agents, block.bonds, {});
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(before.x, block.agents.x);
+}
+
+TEST(Relaxation, WorksWhereSomethingGrows) {
+  MechanicsParameters p;
+  p.tolerance = 0.01;
+  Block block(12);
+  Relaxation relaxation(p, r0);
+  relaxation.relax(block.agents, block.bonds, {});
+  const Index grown = 6 * 144 + 6 * 12 + 6;
+  block.agents.radius[grown] *= 1.02;
+  const auto report = relaxation.relax(block.agents, block.bonds, {});
+  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  // One evaluation of all to see who is restless; the rest near the grown cell only.
+  const auto everyoneOnce = block.agents.size() - 2 * 144;
+  ASSERT_GT(report.iterations, 5);
+  EXPECT_LT(report.agentEvaluations - everyoneOnce, 0.2 * report.iterations * everyoneOnce);
+}
+
+TEST(Relaxation, NamesTheSettingsWhenItFails) {
+  MechanicsParameters p;
+  p.maximumIterations = 2;
+  Block block(5);
+  try {
+    Relaxation(p, r0).relax(block.agents, block.bonds, {});
+    FAIL();
+  } catch (const RelaxationFailed& e) {
+    EXPECT_NE(std::string(e.what()).find("mechanics.maximumIterations = 2"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("mechanics.tolerance"), std::string::npos) << e.what();
+  }
+  p.stopAtMaximum = true;
+  Block again(5);
+  const auto report = Relaxation(p, r0).relax(again.agents, again.bonds, {});
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 2);
+  EXPECT_NEAR(report.residual, largestResidual(p, again), 1e-12);
+}
+
+TEST(Relaxation, NamesTheAgentWithoutAPosition) {
+  Block block(3);
+  block.agents.y[5] = std::nan("");
+  try {
+    Relaxation(MechanicsParameters{}, r0).relax(block.agents, block.bonds, {});
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("agent 5"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Relaxation, RefusesUnknownNames) {
+  MechanicsParameters p;
+  p.minimiser = "steepest";
+  EXPECT_THROW(Relaxation(p, r0), std::invalid_argument);
+  p = {};
+  p.contactLaw = "linear";
+  EXPECT_THROW(Relaxation(p, r0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace restenosis

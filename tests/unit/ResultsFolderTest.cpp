@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "AtomicFile.h"
+#include "ResultsFolder.h"
+#include "TemporaryFolder.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string refusal(const std::function<void()>& use) {
+  try {
+    use();
+  } catch (const FolderRefused& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ResultsFolder, IsCreatedWithThoseAboveIt) {
+  TemporaryFolder folder;
+  const auto results = ResultsFolder::fresh(folder / "results/quick");
+  EXPECT_TRUE(fs::is_directory(folder / "results/quick"));
+  EXPECT_EQ(results.flowCase(3.125 * 86400).filename(), "3.125");
+}
+
+TEST(ResultsFolder, RefusesAFolderWithForeignFiles) {
+  TemporaryFolder folder;
+  writeText(folder / "thesis.tex", "years of work");
+  const auto message = refusal([&] { ResultsFolder::fresh(folder.path()); });
+  EXPECT_NE(message.find("thesis.tex"), std::string::npos) << message;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(ResultsFolder, MovesTheFormerRunAsideAndLeavesTheUsersFiles) {
+  TemporaryFolder folder;
+  for (const char* run : {"first", "second"}) {
+    const auto results = ResultsFolder::fresh(folder / "quick");
+    atomicWrite(results.scene(), run);
+    createFolder(results.checkpoint());
+    writeText(results.path() / "notes.md", "mine");
+  }
+  ResultsFolder::fresh(folder / "quick");
+  EXPECT_FALSE(fs::exists(folder / "quick/scene.toml"));
+  EXPECT_FALSE(fs::exists(folder / "quick/checkpoint"));
+  EXPECT_EQ(readText(folder / "quick/previous/scene.toml"), "second");
+  EXPECT_EQ(readText(folder / "quick/notes.md"), "mine");
+}
+
+TEST(ResultsFolder, KeepsEverythingForAResume) {
+  TemporaryFolder folder;
+  {
+    const auto results = ResultsFolder::fresh(folder / "quick");
+    atomicWrite(results.scene(), "scene");
+  }
+  ResultsFolder::existing(folder / "quick");
+  EXPECT_EQ(readText(folder / "quick/scene.toml"), "scene");
+  EXPECT_NE(refusal([&] { ResultsFolder::existing(folder / "slow"); }), "");
+  EXPECT_NE(refusal([&] { ResultsFolder::existing(folder.path()); }), "");
+}
+
+TEST(ResultsFolder, IsUsedByOneRunAtATime) {
+  TemporaryFolder folder;
+  {
+    const auto first = ResultsFolder::fresh(folder / "quick");
+    const auto message = refusal([&] { ResultsFolder::fresh(folder / "quick"); });
+    EXPECT_NE(message.find("another run (process "), std::string::npos) << message;
+    EXPECT_NE(refusal([&] { ResultsFolder::existing(folder / "quick"); }), "");
+  }
+  EXPECT_NO_THROW(ResultsFolder::existing(folder / "quick"));
+}
+
+TEST(ResultsFolder, SaysWhenItCannotBeWritten) {
+  TemporaryFolder folder;
+  writeText(folder / "file", "");
+  EXPECT_THROW(ResultsFolder::fresh(folder / "file/quick"), WriteFailed);
+  EXPECT_THROW(ResultsFolder::fresh("/proc/quick"), WriteFailed);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "StateArchive.h"
+#include "SummaryJson.h"
+#include "TemporaryFolder.h"
+#include "Version.h"
+
+namespace restenosis {
+namespace {
+
+Summary example() {
+  Summary summary;
+  summary.scene = "quick";
+  summary.title = "Injury 2";
+  summary.seed = 7;
+  summary.threads = 2;
+  summary.flowBackend = "foam";
+  summary.stateDigest = "0123456789abcdef";
+  summary.last.time = 864000;
+  summary.last.agents = 70123;
+  summary.last.neointimaThickness = 51e-6;
+  summary.flow.done = {{"first covered cell", 1}, {"lumen moved", 4}};
+  summary.flow.skipped = {{"no covered cell", 72}};
+  summary.parts["flow"] = {12.5, 300 << 20, 500 << 20, 5};
+  return summary;
+}
+
+TEST(SummaryJson, SaysWhatTheContractAsks) {
+  TemporaryFolder folder;
+  writeSummaryJson(folder / "summary.json", example());
+  const auto json = nlohmann::json::parse(readText(folder / "summary.json"));
+  EXPECT_EQ(json["stateDigest"], "0123456789abcdef");
+  EXPECT_EQ(json["version"], version());
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["agents"], 70123);
+  EXPECT_EQ(json["final"]["day"], 10.0);
+  EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
+  EXPECT_TRUE(json["final"]["wssMean_Pa"].is_null());
+  EXPECT_EQ(json["flow"]["solvesDone"], 5);
+  EXPECT_EQ(json["flow"]["solvesSkipped"], 72);
+  EXPECT_EQ(json["flow"]["skippedBecause"]["no covered cell"], 72);
+  EXPECT_EQ(json["parts"]["flow"]["seconds"], 12.5);
+  EXPECT_EQ(json["parts"]["flow"]["peakMemory_MiB"], 300.0);
+  EXPECT_EQ(json["parts"]["flow"]["peakChildProcessMemory_MiB"], 500.0);
+  EXPECT_EQ(json["totalSeconds"], 12.5);
+}
+
+TEST(SummaryJson, SurvivesATitleThatIsNotUtf8) {
+  TemporaryFolder folder;
+  auto summary = example();
+  summary.title = "caf\xe9";
+  writeSummaryJson(folder / "summary.json", summary);
+  EXPECT_TRUE(nlohmann::json::accept(readText(folder / "summary.json")));
+}
+
+TEST(SolveCounts, GoOnAfterAResume) {
+  WritingArchive checkpoint;
+  auto counts = example().flow;
+  checkpoint(counts);
+  SolveCounts resumed;
+  ReadingArchive stored(checkpoint.buffer());
+  stored(resumed);
+  ++resumed.skipped["no covered cell"];
+  EXPECT_EQ(resumed.totalDone(), 5u);
+  EXPECT_EQ(resumed.totalSkipped(), 73u);
+}
+
+TEST(Version, IsNotEmpty) { EXPECT_FALSE(version().empty()); }
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "VesselValidation.h"
+
+namespace restenosis {
+namespace {
+
+class Validate : public testing::Test {
+ protected:
+  /// The keys of all problems, in one line.
+  std::string keys() const {
+    std::string all;
+    for (const ParameterProblem& problem : validate(vessel, &stent)) {
+      EXPECT_FALSE(problem.message.empty());
+      all += problem.key + " ";
+    }
+    return all;
+  }
+  VesselParameters vessel;
+  StentParameters stent;
+};
+
+TEST_F(Validate, DefaultsAreFine) {
+  for (const char* design : {"ring", "rings", "ringsWithLinks", "helix", "biodivysio"}) {
+    stent.design = design;
+    EXPECT_EQ(keys(), "") << design;
+  }
+  EXPECT_TRUE(validate(vessel, nullptr).empty());
+}
+
+TEST_F(Validate, StentLongerThanTheVessel) {
+  stent.design = "rings";
+  stent.length = 5e-3;
+  EXPECT_EQ(keys(), "stent.length ");
+  EXPECT_EQ(validate(vessel, &stent)[0].message,
+            "a stent of 5 mm is longer than the vessel (4.5 mm); allowed is at most vessel.length");
+  stent.design = "ring";  // a single ring does not read the length
+  EXPECT_EQ(keys(), "");
+}
+
+TEST_F(Validate, StrutThickerThanTheLumen) {
+  stent.strutThickness = 1e-3;
+  EXPECT_EQ(keys(), "stent.strutThickness ");
+}
+
+TEST_F(Validate, StrutWiderThanTheVessel) {
+  vessel.length = 0.08e-3;
+  EXPECT_EQ(keys(), "stent.strutWidth ");
+}
+
+TEST_F(Validate, DepthBeyondTheWall) {
+  stent.deploymentDepth = 180e-6;
+  EXPECT_EQ(keys(), "stent.deploymentDepth ");
+}
+
+TEST_F(Validate, LayoutThatOverlaps) {
+  stent.design = "rings";
+  stent.ringCount = 50;
+  EXPECT_EQ(keys(), "stent.ringCount ");
+  stent.design = "helix";
+  stent.helixTurns = 50;
+  EXPECT_EQ(keys(), "stent.helixTurns ");
+  stent.design = "biodivysio";
+  stent.ringCount = 7;
+  stent.linkCount = 9;
+  EXPECT_EQ(keys(), "stent.linkCount ");
+}
+
+TEST_F(Validate, WallTooThinForItsCellsAndVesselShorterThanItsEnds) {
+  vessel.wallThickness = 40e-6;
+  stent.deploymentDepth = 0;
+  EXPECT_EQ(keys(), "vessel.wallThickness ");
+  vessel = VesselParameters();
+  vessel.length = 50e-6;
+  stent.strutWidth = 20e-6;
+  EXPECT_EQ(keys(), "vessel.length ");
+}
+
+TEST_F(Validate, TablesThatCannotBeUsed) {
+  const auto file = std::filesystem::temp_directory_path() / ("strut-" + std::to_string(getpid()) + ".csv");
+  std::ofstream(file) << "x,y,z,radius\n900,0,9000,15\n";
+  stent.file = file.string();
+  EXPECT_EQ(keys(), "stent.file ");
+  stent.file.clear();
+  vessel.agents = "/nowhere.csv";
+  EXPECT_EQ(keys(), "vessel.agents ");
+  vessel.agents = file.string();
+  vessel.lumenSurface = "lumen.stl";
+  EXPECT_EQ(keys(), "vessel.lumenSurface ");
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include "RandomStream.h"
+#include "WallBonds.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double r = 15e-6;
+
+Wall wallOf(const std::vector<std::pair<AgentKind, Vec3>>& places) {
+  Wall wall;
+  wall.cellRadius = r;
+  for (const auto& [kind, place] : places) wall.agents.append(kind, place, r);
+  return wall;
+}
+
+TEST(WallBonds, JoinsWallAgentsWithinRangeAtTheirDistance) {
+  Wall wall = wallOf({{AgentKind::smc, {0, 0, 0}},
+                      {AgentKind::iel, {2.1 * r, 0, 0}},
+                      {AgentKind::eel, {-2.3 * r, 0, 0}},
+                      {AgentKind::strut, {0, 2 * r, 0}}});
+  EXPECT_EQ(bondWall(wall, 1.1), 1u);
+  ASSERT_TRUE(wall.bonds.bonded(0, 1));
+  EXPECT_NEAR(wall.bonds.of(0)[0].restLength, 2.1 * r, 1e-11);
+}
+
+TEST(WallBonds, RestLengthOfAnOverlappingPairIsItsDistance) {
+  Wall wall = wallOf({{AgentKind::smc, {0, 0, 0}}, {AgentKind::smc, {1.6 * r, 0, 0}}});
+  bondWall(wall, 1.1);
+  EXPECT_NEAR(wall.bonds.of(0)[0].restLength, 1.6 * r, 1e-11);
+}
+
+TEST(WallBonds, KeepsTheNearestTwelve) {
+  std::vector<std::pair<AgentKind, Vec3>> places = {{AgentKind::smc, Vec3::Zero()}};
+  for (int n = 0; n < 20; ++n) {
+    places.emplace_back(AgentKind::smc,
+                        RandomStream(1, n, 0, RandomPurpose::packing).direction() * (1.5 + 0.02 * n) * r);
+  }
+  Wall wall = wallOf(places);
+  // Only pairs with the centre are this near, apart from accidental neighbours among the others.
+  bondWall(wall, 1.1);
+  EXPECT_LE(wall.bonds.of(0).size(), BondTable::maxBonds);
+  EXPECT_TRUE(wall.bonds.bonded(0, 1));
+  for (Index i = 0; i < wall.bonds.size(); ++i) EXPECT_LE(wall.bonds.of(i).size(), BondTable::maxBonds);
+}
+
+TEST(WallBonds, DoNotDependOnTheOrderOfAgents) {
+  Wall wall;
+  wall.cellRadius = r;
+  for (Index n = 0; n < 300; ++n) {
+    RandomStream random(3, n, 0, RandomPurpose::packing);
+    wall.agents.append(AgentKind::smc, 8 * r * Vec3(random.uniform(), random.uniform(), random.uniform()), r);
+  }
+  Wall reversed = wall;
+  std::vector<Index> order(wall.agents.size());
+  for (Index n = 0; n < order.size(); ++n) order[n] = static_cast<Index>(order.size()) - 1 - n;
+  reversed.agents.reorder(order);
+  EXPECT_EQ(bondWall(wall, 1.1), bondWall(reversed, 1.1));
+  for (Index a = 0; a < wall.agents.size(); ++a) {
+    for (const Bond& bond : wall.bonds.of(a))
+      EXPECT_TRUE(reversed.bonds.bonded(order[a], order[bond.partner]));
+  }
+}
+
+TEST(WallBonds, RangeZeroMakesNone) {
+  Wall wall = wallOf({{AgentKind::smc, {0, 0, 0}}, {AgentKind::smc, {1e-9, 0, 0}}});
+  EXPECT_EQ(bondWall(wall, 0), 0u);
+  EXPECT_EQ(wall.bonds.size(), 2u);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include "Cylindrical.h"
+#include "EndPlanes.h"
+#include "LaminaCylinders.h"
+#include "OuterConfinement.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double r = 15e-6;
+
+class WallConstraints : public testing::Test {
+ protected:
+  Index add(AgentKind kind, const Vec3& place) { return agents.append(kind, place, r); }
+  Vec3 projected(const Constraint& constraint, Index i) {
+    Vec3 position = agents.position(i);
+    constraint.project(agents, i, position);
+    return position;
+  }
+  Vec3 released(const Constraint& constraint, Index i, Vec3 force) {
+    constraint.release(agents, i, force);
+    return force;
+  }
+  AgentStore agents;
+};
+
+TEST_F(WallConstraints, LaminaSlidesOnItsCylinder) {
+  const LaminaCylinders cylinders(0.9e-3, 1.1e-3, r);
+  const Index iel = add(AgentKind::iel, {0.5e-3, 0.5e-3, 1e-4});
+  const Vec3 place = projected(cylinders, iel);
+  EXPECT_NEAR(radiusOf(place), 0.9e-3, 1e-15);
+  EXPECT_DOUBLE_EQ(place.x(), place.y());
+  EXPECT_DOUBLE_EQ(place.z(), 1e-4);
+  agents.setPosition(iel, {0.9e-3, 0, 0});
+  EXPECT_EQ(released(cylinders, iel, {3, 2, 1}), Vec3(0, 2, 1));
+}
+
+TEST_F(WallConstraints, CellsStayBetweenTheLaminae) {
+  const LaminaCylinders cylinders(0.9e-3, 1.1e-3, r);
+  const Index inside = add(AgentKind::smc, {0.8e-3, 0, 0}), between = add(AgentKind::smc, {1e-3, 0, 0}),
+              outside = add(AgentKind::smc, {0, 1.2e-3, 0});
+  EXPECT_NEAR(radiusOf(projected(cylinders, inside)), 0.9e-3 + r, 1e-15);
+  EXPECT_EQ(projected(cylinders, between), Vec3(1e-3, 0, 0));
+  EXPECT_NEAR(radiusOf(projected(cylinders, outside)), 1.1e-3 - r, 1e-15);
+  // A cell at the limit loses only the force that presses it on.
+  agents.setPosition(inside, projected(cylinders, inside));
+  EXPECT_EQ(released(cylinders, inside, {-1, 1, 0}), Vec3(0, 1, 0));
+  EXPECT_EQ(released(cylinders, inside, {1, 1, 0}), Vec3(1, 1, 0));
+  EXPECT_EQ(released(cylinders, between, {-1, 1, 0}), Vec3(-1, 1, 0));
+}
+
+TEST_F(WallConstraints, EndPlanesHoldCentres) {
+  const EndPlanes ends(1e-3);
+  const Index low = add(AgentKind::smc, {1e-3, 0, -1e-6}), high = add(AgentKind::smc, {1e-3, 0, 1e-3});
+  EXPECT_EQ(projected(ends, low), Vec3(1e-3, 0, 0));
+  EXPECT_EQ(projected(ends, high), Vec3(1e-3, 0, 1e-3));
+  EXPECT_EQ(released(ends, high, {1, 1, 1}), Vec3(1, 1, 0));
+  EXPECT_EQ(released(ends, high, {1, 1, -1}), Vec3(1, 1, -1));
+}
+
+TEST_F(WallConstraints, CellsStayInsideTheEel) {
+  for (int n = 0; n < 300; ++n) {
+    for (int k = 0; k < 5; ++k) {
+      add(AgentKind::eel, toCartesian({1e-3, 2 * std::numbers::pi * n / 300, 25e-6 * k}));
+    }
+  }
+  const Index cell = add(AgentKind::smc, {1.05e-3, 0, 50e-6}), eel = 7;
+  const OuterConfinement confinement(agents, r);
+  EXPECT_NEAR(radiusOf(projected(confinement, cell)), 1e-3 - 0.5 * r, 1e-12);
+  EXPECT_EQ(projected(confinement, eel), agents.position(eel));
+  agents.setPosition(cell, projected(confinement, cell));
+  EXPECT_EQ(released(confinement, cell, {1, 1, 0}), Vec3(0, 1, 0));
+  EXPECT_EQ(released(confinement, cell, {-1, 1, 0}), Vec3(-1, 1, 0));
+  agents.setPosition(cell, {0.95e-3, 0, 50e-6});
+  EXPECT_EQ(projected(confinement, cell), agents.position(cell));
+  EXPECT_EQ(released(confinement, cell, {1, 1, 0}), Vec3(1, 1, 0));
+}
+
+}  // namespace
+}  // namespace restenosis

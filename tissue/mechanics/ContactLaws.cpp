@@ -1,0 +1,28 @@
+#include "ContactLaws.h"
+
+#include <array>
+
+#include "HertzContact.h"
+#include "HertzNeoHookeanContact.h"
+#include "NamedTable.h"
+#include "PairForces.h"
+
+namespace restenosis {
+namespace {
+
+template <class Law>
+constexpr ContactLaw entry() {
+  return {Law::name, &evaluatePairs<Law>,
+          [](double modulus, double d, double R) { return Law(modulus).energy(d, R); },
+          [](double R) { return Law::validOverlap(R); }};
+}
+
+constexpr std::array table{entry<HertzContact>(), entry<HertzNeoHookeanContact>()};
+
+}  // namespace
+
+const ContactLaw& contactLaw(std::string_view name) { return findNamed(table, "contact law", name); }
+
+std::vector<std::string_view> contactLawNames() { return namesOf(table); }
+
+}  // namespace restenosis

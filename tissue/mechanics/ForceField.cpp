@@ -1,0 +1,80 @@
+#include "ForceField.h"
+
+#include <numeric>
+
+#include "BondAttraction.h"
+#include "Cohesion.h"
+#include "ContactLaws.h"
+
+namespace restenosis {
+
+ForceField::ForceField(const MechanicsParameters& parameters)
+    : parameters_(parameters), law_(&contactLaw(parameters.contactLaw)) {}
+
+NeighbourRange ForceField::range(double skin) const {
+  return {.factor = 1,
+          .daughterFactor = parameters_.cohesionModulus > 0 ? parameters_.cohesionRange : 1,
+          .skin = skin};
+}
+
+void ForceField::evaluate(std::span<const Sphere> spheres, std::span<const std::uint8_t> flags,
+                          const NeighbourList& neighbours, const BondTable& bonds,
+                          std::span<const Index> subset, std::span<AgentLoad> load) const {
+  law_->evaluate({spheres, flags, neighbours, bonds, parameters_}, subset, load);
+}
+
+std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const BondTable& bonds) const {
+  NeighbourList neighbours;
+  neighbours.build(agents, range(0));
+  std::vector<Index> all(agents.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  std::vector<AgentLoad> load(agents.size());
+  evaluate(packSpheres(agents), agents.flags, neighbours, bonds, all, load);
+  return load;
+}
+
+double ForceField::energy(const AgentStore& agents, const BondTable& bonds) const {
+  NeighbourList neighbours;
+  neighbours.build(agents, range(0));
+  const Cohesion cohesion{parameters_.cohesionModulus, parameters_.cohesionRange};
+  const BondAttraction attraction{parameters_.bondModulus, parameters_.bondAxialFactor};
+  double total = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    const bool daughter = agents.has(i, AgentFlag::daughter);
+    for (const Index j : neighbours.of(i)) {
+      if (j < i) continue;
+      const double radii = agents.radius[i] + agents.radius[j];
+      const double gap = (agents.position(i) - agents.position(j)).norm() - radii;
+      if (gap < 0)
+        total += law_->energy(parameters_.contactModulus, -gap, agents.radius[i] * agents.radius[j] / radii);
+      if (daughter || agents.has(j, AgentFlag::daughter)) total += cohesion.energy(gap, radii);
+    }
+    for (const Bond& bond : bonds.of(i)) {
+      if (bond.partner < i) continue;
+      const double distance = (agents.position(i) - agents.position(bond.partner)).norm();
+      total += attraction.energy(distance, bond.restLength, agents.radius[i] + agents.radius[bond.partner]);
+    }
+  }
+  return total;
+}
+
+double ForceField::overlapOverValid(std::span<const Sphere> spheres, const NeighbourList& neighbours,
+                                    Index i) const {
+  double largest = 0;
+  for (const Index j : neighbours.of(i)) {
+    const Sphere &a = spheres[i], &b = spheres[j];
+    const double radii = a.r + b.r;
+    const double overlap = radii - std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+    if (overlap > 0) largest = std::max(largest, overlap / law_->validOverlap(a.r * b.r / radii));
+  }
+  return largest;
+}
+
+std::vector<Sphere> packSpheres(const AgentStore& agents) {
+  std::vector<Sphere> spheres(agents.size());
+  for (Index i = 0; i < agents.size(); ++i)
+    spheres[i] = {agents.x[i], agents.y[i], agents.z[i], agents.radius[i]};
+  return spheres;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "AgentStore.h"
+#include "BondTable.h"
+#include "MechanicsParameters.h"
+#include "NeighbourList.h"
+
+namespace restenosis {
+
+/// An agent as the force loop reads it: one cache half-line.
+struct alignas(32) Sphere {
+  double x, y, z, r;  ///< [m]
+};
+
+/// What acts on one agent.
+struct AgentLoad {
+  double fx = 0, fy = 0, fz = 0;  ///< [N]
+  double pressure = 0;   ///< minus a third of the trace of the virial stress [Pa]; compression positive
+  double stiffness = 0;  ///< sum of the slopes of the acting pair forces [N/m]
+
+  Vec3 force() const { return {fx, fy, fz}; }
+};
+
+/// The forces between agents (model 3): contact, bonds, cohesion.
+///
+/// Gathered agent by agent: contacts in ascending order of neighbours, then bonds in ascending order of
+/// partners. Pairs out of range add nothing, so every list that holds all pairs in range gives the same bits,
+/// and so does every number of threads.
+///
+/// The virial stress of an agent takes half of each pair's branch vector b (from centre to centre):
+/// sigma = -(1/V) sum 1/2 b (x) F with F the force on the agent and b pointing to it; pressure =
+/// -tr(sigma)/3.
+class ForceField {
+ public:
+  /// Throws std::invalid_argument for an unknown contact law, naming the known ones.
+  explicit ForceField(const MechanicsParameters& parameters);
+
+  /// Which pairs a neighbour list must hold.
+  NeighbourRange range(double skin) const;
+
+  /// Computes load[i] for every i in `subset`.
+  void evaluate(std::span<const Sphere> spheres, std::span<const std::uint8_t> flags,
+                const NeighbourList& neighbours, const BondTable& bonds, std::span<const Index> subset,
+                std::span<AgentLoad> load) const;
+
+  /// Loads of all agents, for those who need them once: makes its own neighbour list.
+  std::vector<AgentLoad> evaluate(const AgentStore& agents, const BondTable& bonds) const;
+
+  /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].
+  double energy(const AgentStore& agents, const BondTable& bonds) const;
+
+  /// Largest overlap of agent i with a neighbour over the overlap up to which the contact law is the
+  /// published one.
+  double overlapOverValid(std::span<const Sphere> spheres, const NeighbourList& neighbours, Index i) const;
+
+ private:
+  MechanicsParameters parameters_;
+  const struct ContactLaw* law_;
+};
+
+/// The agents as the force loop reads them.
+std::vector<Sphere> packSpheres(const AgentStore& agents);
+
+}  // namespace restenosis

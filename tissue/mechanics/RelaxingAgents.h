@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "AgentStore.h"
+#include "BondTable.h"
+#include "Constraint.h"
+#include "ForceField.h"
+#include "Minimiser.h"
+
+namespace restenosis {
+
+/// The agents during one relaxation: which of them are awake, the forces on them, and the neighbour list.
+///
+/// Awake agents move; all others sleep. Only those next to an agent that moved can have a force that changed,
+/// so checking them from time to time is enough, and an iteration costs what the awake agents cost.
+class RelaxingAgents {
+ public:
+  /// Projects every free agent onto its constraints, computes all forces and wakes the agents above
+  /// `tolerance` [N].
+  RelaxingAgents(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
+                 const ForceField& field, double softest, double tolerance);
+
+  /// One step of the awake agents, then the forces on them.
+  void advance(Minimiser& minimiser);
+  /// Computes the forces on all sleeping agents next to an awake one and wakes those above the tolerance;
+  /// tells whether there were any.
+  bool wakeDisturbed();
+
+  bool allAsleep() const { return awake_.empty(); }
+  /// Largest residual of the awake agents [N].
+  double awakeResidual() const;
+  /// Largest residual of all free agents, as last computed [N].
+  double residual() const;
+  /// Agent with the largest residual of all.
+  Index worstAgent() const;
+  std::uint64_t evaluations() const { return evaluations_; }
+  /// Writes the pressures of all free agents to the store.
+  void storePressures();
+  /// Pairs that overlap by more than the contact law is valid for.
+  std::uint64_t agentsBeyondLaw() const;
+
+ private:
+  bool isFree(Index i) const;
+  Vec3 projected(Index i, Vec3 position) const;
+  void place(Index i, const Vec3& position);
+  void buildNeighbours();
+  void evaluate(std::span<const Index> subset);
+  void wake(const std::vector<Index>& sleepers);
+
+  AgentStore& agents_;
+  const BondTable& bonds_;
+  std::span<const Constraint* const> constraints_;
+  const ForceField& field_;
+  double softest_;    ///< least stiffness an agent is given [N/m]
+  double tolerance_;  ///< [N]
+
+  NeighbourList neighbours_;
+  std::vector<Sphere> spheres_;
+  std::vector<AgentLoad> load_;
+  std::vector<Vec3> force_;        ///< what constraints leave of the load
+  std::vector<double> stiffness_;  ///< of the load, at least softest_
+  std::vector<double> residual_;   ///< length of force_, 0 for agents that are not free
+  std::vector<Vec3> velocity_;
+  std::vector<std::uint8_t> isAwake_;
+  std::vector<Index> free_, awake_;
+  std::vector<std::uint8_t> marked_;  ///< scratch of wakeDisturbed
+  std::vector<Vec3> step_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace restenosis

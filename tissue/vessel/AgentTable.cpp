@@ -1,0 +1,149 @@
+#include "AgentTable.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace restenosis {
+namespace {
+
+constexpr double metresPerUm = 1e-6;
+
+constexpr std::array<std::pair<std::string_view, AgentKind>, 4> kinds = {
+    {{"smc", AgentKind::smc}, {"iel", AgentKind::iel}, {"eel", AgentKind::eel}, {"strut", AgentKind::strut}}};
+
+enum Column { columnX, columnY, columnZ, columnRadius, columnKind, columnCount };
+constexpr std::array<std::string_view, columnCount> columnNames = {"x", "y", "z", "radius", "kind"};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\"";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const auto comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+class TableReader {
+ public:
+  TableReader(const std::filesystem::path& file, AgentKind defaultKind)
+      : file_(file), stream_(file), defaultKind_(defaultKind) {
+    if (!stream_) throw AgentTableError(fmt::format("{}: cannot be opened", file.string()));
+  }
+
+  AgentStore read() {
+    AgentStore agents;
+    bool header = true;
+    for (std::string line; std::getline(stream_, line);) {
+      ++line_;
+      const std::string_view text = trimmed(line);
+      if (text.empty() || text.front() == '#') continue;
+      if (std::exchange(header, false)) {
+        readHeader(text);
+      } else {
+        readAgent(text, agents);
+      }
+    }
+    if (agents.size() == 0) throw AgentTableError(fmt::format("{}: holds no agents", file_.string()));
+    return agents;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw AgentTableError(fmt::format("{}:{}: {}", file_.string(), line_, message));
+  }
+
+  void readHeader(std::string_view text) {
+    const auto names = cellsOf(text);
+    width_ = names.size();
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      bool known = false;
+      for (int column = 0; column < columnCount; ++column) {
+        if (names[n] != columnNames[column]) continue;
+        if (place_[column]) fail(fmt::format("column '{}' appears twice", names[n]));
+        place_[column] = n;
+        known = true;
+      }
+      if (!known) {
+        fail(fmt::format("unknown column '{}'; allowed are x, y, z, radius (um) and kind", names[n]));
+      }
+    }
+    for (int column = 0; column < columnKind; ++column) {
+      if (!place_[column]) {
+        fail(fmt::format("column '{}' is missing; needed are x, y, z, radius (um)", columnNames[column]));
+      }
+    }
+  }
+
+  void readAgent(std::string_view text, AgentStore& agents) const {
+    const auto cells = cellsOf(text);
+    if (cells.size() != width_) {
+      fail(fmt::format("{} cells where the header names {} columns", cells.size(), width_));
+    }
+    std::array<double, columnKind> value;
+    for (int column = 0; column < columnKind; ++column) {
+      value[column] = metresPerUm * number(cells[*place_[column]], columnNames[column]);
+    }
+    if (!(value[columnRadius] > 0)) fail("the radius must be larger than 0 um");
+    const AgentKind kind = place_[columnKind] ? kindOf(cells[*place_[columnKind]]) : defaultKind_;
+    agents.append(kind, {value[columnX], value[columnY], value[columnZ]}, value[columnRadius]);
+  }
+
+  double number(std::string_view cell, std::string_view column) const {
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+      fail(fmt::format("column '{}': '{}' is not a finite number", column, cell));
+    }
+    return value;
+  }
+
+  AgentKind kindOf(std::string_view cell) const {
+    for (const auto& [name, kind] : kinds) {
+      if (cell == name) return kind;
+    }
+    fail(fmt::format("unknown kind '{}'; allowed are smc, iel, eel, strut", cell));
+  }
+
+  std::filesystem::path file_;
+  std::ifstream stream_;
+  AgentKind defaultKind_;
+  std::size_t line_ = 0, width_ = 0;
+  std::array<std::optional<std::size_t>, columnCount> place_;
+};
+
+}  // namespace
+
+AgentStore readAgentTable(const std::filesystem::path& file, AgentKind defaultKind) {
+  return TableReader(file, defaultKind).read();
+}
+
+void writeAgentTable(const std::filesystem::path& file, const AgentStore& agents) {
+  std::ofstream stream(file);
+  stream << "x,y,z,radius,kind\n";
+  for (Index i = 0; i < agents.size(); ++i) {
+    const auto um = [](double metres) { return metres / metresPerUm; };
+    stream << fmt::format("{},{},{},{},{}\n", um(agents.x[i]), um(agents.y[i]), um(agents.z[i]),
+                          um(agents.radius[i]), kinds[static_cast<std::size_t>(agents.kind[i])].first);
+  }
+  stream.flush();
+  if (!stream) throw AgentTableError(fmt::format("{}: cannot be written", file.string()));
+}
+
+}  // namespace restenosis

@@ -1,0 +1,70 @@
+#include "Deployment.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "EndPlanes.h"
+#include "OuterConfinement.h"
+
+namespace restenosis {
+
+Deployment::Deployment(Wall& wall, const StentParameters& stent, const VesselParameters& vessel,
+                       const MechanicsParameters& mechanics, int stepsDone)
+    : wall_(wall),
+      undeployed_(makeStent(stent, vessel)),
+      relaxation_(mechanics, vessel.cellRadius),
+      depth_(stent.deploymentDepth),
+      steps_(static_cast<int>(stent.deploymentSteps)),
+      stepsDone_(stepsDone) {
+  attachStruts();
+  fixEnds(wall_, vessel.fixedEnds);
+  for (const Index i : strutAgents_) wall_.agents.set(i, fixed, true);
+  if (stent.outerLamina == "fixed") fixOuterLamina(wall_);
+  placeStent();
+}
+
+double Deployment::depthAfter(int k) const { return k == steps_ ? depth_ : depth_ * k / steps_; }
+
+void Deployment::attachStruts() {
+  AgentStore& agents = wall_.agents;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] == AgentKind::strut) strutAgents_.push_back(i);
+  }
+  if (strutAgents_.empty()) {
+    for (std::size_t n = 0; n < undeployed_.spheres.size(); ++n) {
+      strutAgents_.push_back(
+          agents.append(AgentKind::strut, undeployed_.centre(n), undeployed_.spheres[n].radius));
+    }
+    wall_.bonds.resize(agents.size());
+  }
+  if (strutAgents_.size() != undeployed_.spheres.size()) {
+    throw std::invalid_argument(fmt::format("the wall holds {} strut agents, but the stent has {}",
+                                            strutAgents_.size(), undeployed_.spheres.size()));
+  }
+}
+
+void Deployment::placeStent() {
+  stent_ = undeployed_.movedOutwards(depthAfter(stepsDone_));
+  for (std::size_t n = 0; n < strutAgents_.size(); ++n) {
+    wall_.agents.setPosition(strutAgents_[n], stent_.centre(n));
+  }
+}
+
+RelaxationReport Deployment::step() {
+  ++stepsDone_;
+  placeStent();
+  const EndPlanes ends(wall_.length);
+  const OuterConfinement outside(wall_.agents, wall_.cellRadius);
+  const std::array<const Constraint*, 2> constraints = {&outside, &ends};
+  return relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+}
+
+void Deployment::run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress) {
+  while (!done()) {
+    const RelaxationReport report = step();
+    if (progress) progress(*this, report);
+  }
+}
+
+}  // namespace restenosis

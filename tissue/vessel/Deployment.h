@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+
+#include "DeploymentStatistics.h"
+#include "Relaxation.h"
+#include "StrutAgents.h"
+#include "Wall.h"
+
+namespace restenosis {
+
+/// Presses a stent into the wall in equal steps (model 4). After k of n steps the struts' outer face is at
+/// lumen radius + depth k / n, exactly, and the wall is relaxed. Struts, vessel ends and, where the scene
+/// says so, the EEL do not yield; cells stay inside the EEL and between the vessel's ends.
+///
+/// Everything that changes is in the Wall, so a run is checkpointed between two steps by keeping the wall and
+/// the number of steps done.
+class Deployment {
+ public:
+  /// Appends the stent's obstacle agents to the wall, or, if it holds struts already (a wall read back after
+  /// `stepsDone` steps), takes those over; they must be as many as the stent has. The EEL is fixed or freed
+  /// as the stent's `outerLamina` says; fixed ends are those of `vessel`. Throws as makeStent does, and
+  /// std::invalid_argument for struts that are not this stent's. The wall must outlive the deployment.
+  Deployment(Wall& wall, const StentParameters& stent, const VesselParameters& vessel,
+             const MechanicsParameters& mechanics, int stepsDone = 0);
+
+  int steps() const { return steps_; }
+  int stepsDone() const { return stepsDone_; }
+  bool done() const { return stepsDone_ == steps_; }
+  /// Depth of the outer face beyond the undeformed lumen after k steps [m].
+  double depthAfter(int k) const;
+
+  /// Moves the stent by one step and relaxes the wall. Throws RelaxationFailed.
+  RelaxationReport step();
+  /// All remaining steps; calls `progress` after each.
+  void run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress = {});
+
+  /// The stent where it now stands.
+  const Stent& stent() const { return stent_; }
+  DeploymentStatistics statistics() const { return measureDeployment(wall_, stent_); }
+
+ private:
+  void attachStruts();
+  void placeStent();
+
+  Wall& wall_;
+  Stent undeployed_, stent_;
+  Relaxation relaxation_;
+  double depth_;
+  int steps_, stepsDone_;
+  std::vector<Index> strutAgents_;  ///< of each sphere of the stent
+};
+
+}  // namespace restenosis

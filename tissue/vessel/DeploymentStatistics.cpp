@@ -1,0 +1,95 @@
+#include "DeploymentStatistics.h"
+
+#include <algorithm>
+
+#include "Cylindrical.h"
+#include "PointGrid.h"
+#include "RadiusMap.h"
+#include "StrutFootprint.h"
+
+namespace restenosis {
+namespace {
+
+class Mean {
+ public:
+  void add(double value) { sum_ += value, ++count_; }
+  double value() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
+
+ private:
+  double sum_ = 0;
+  std::size_t count_ = 0;
+};
+
+void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& result) {
+  const AgentStore& agents = wall.agents;
+  const StrutFootprint footprint(stent);
+  Mean iel, eel;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] == AgentKind::strut) continue;
+    const Vec3 position = agents.position(i);
+    const double radius = radiusOf(position);
+    bool lumenward = false, under = false;
+    footprint.visit(position, wall.cellRadius / 2, [&](const StrutFootprint::Hit& hit) {
+      lumenward = lumenward || radius < hit.outerFace;
+      under = under || hit.across < stent.segments[hit.segment].width / 4;
+    });
+    result.escaped += lumenward;
+    if (under && agents.kind[i] == AgentKind::iel) iel.add(radius);
+    if (under && agents.kind[i] == AgentKind::eel) eel.add(radius);
+  }
+  result.ielUnderStrut = iel.value();
+  result.laminaDistance = eel.value() - iel.value();
+}
+
+void measureOverlap(const Wall& wall, DeploymentStatistics& result) {
+  const AgentStore& agents = wall.agents;
+  if (agents.size() == 0) return;
+  const double largest = *std::ranges::max_element(agents.radius);
+  const PointGrid grid(agents, 2 * largest);
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] == AgentKind::strut) continue;
+    grid.visit(agents.position(i), agents.radius[i] + largest, [&](Index j, double squared) {
+      if (j == i) return true;
+      const double overlap = agents.radius[i] + agents.radius[j] - std::sqrt(squared);
+      result.largestOverlap = std::max(result.largestOverlap, overlap / wall.cellRadius);
+      return true;
+    });
+  }
+}
+
+void measureBonds(const Wall& wall, DeploymentStatistics& result) {
+  const AgentStore& agents = wall.agents;
+  Mean all, lamina;
+  for (Index i = 0; i < wall.bonds.size(); ++i) {
+    for (const Bond& bond : wall.bonds.of(i)) {
+      if (bond.partner < i) continue;
+      const double strain =
+          (agents.position(i) - agents.position(bond.partner)).norm() / bond.restLength - 1.0;
+      all.add(strain);
+      result.largestStrain = std::max(result.largestStrain, strain);
+      if (agents.kind[i] != AgentKind::iel || agents.kind[bond.partner] != AgentKind::iel) continue;
+      lamina.add(strain);
+      result.largestIelStrain = std::max(result.largestIelStrain, strain);
+    }
+  }
+  result.meanStrain = all.value();
+  result.meanIelStrain = lamina.value();
+}
+
+}  // namespace
+
+DeploymentStatistics measureDeployment(const Wall& wall, const Stent& stent) {
+  DeploymentStatistics result;
+  measureStruts(wall, stent, result);
+  measureOverlap(wall, result);
+  measureBonds(wall, result);
+  const RadiusMap eel(wall.agents, AgentKind::eel, 2 * wall.cellRadius);
+  for (Index i = 0; i < wall.agents.size(); ++i) {
+    if (wall.agents.kind[i] != AgentKind::smc) continue;
+    const Vec3 position = wall.agents.position(i);
+    result.outside += radiusOf(position) > eel.at(position);
+  }
+  return result;
+}
+
+}  // namespace restenosis

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Stent.h"
+#include "Wall.h"
+
+namespace restenosis {
+
+/// How a deployed wall came out.
+struct DeploymentStatistics {
+  Index escaped = 0;            ///< wall agents in the way of a strut that lie lumenward of its outer face
+  Index outside = 0;            ///< cells outside the EEL
+  double ielUnderStrut = 0;     ///< mean distance of the IEL from the axis under struts [m]
+  double laminaDistance = 0;    ///< mean IEL-to-EEL distance under struts [m]
+  double largestOverlap = 0;    ///< of two agents that are not both struts, over the mean cell radius
+  double meanIelStrain = 0;     ///< of bonds between IEL agents
+  double largestIelStrain = 0;  ///< the same
+  double meanStrain = 0;        ///< of all bonds
+  double largestStrain = 0;     ///< the same
+};
+
+/// Measures a wall around a stent where it now stands. "Under a strut" is the middle half of its width; an
+/// agent is "in the way" if its centre is at least half a cell radius from the strut's edges, so that cells
+/// pressed against the strut's side do not count.
+DeploymentStatistics measureDeployment(const Wall& wall, const Stent& stent);
+
+}  // namespace restenosis

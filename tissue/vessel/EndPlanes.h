@@ -1,0 +1,18 @@
+#pragma once
+
+#include "Constraint.h"
+
+namespace restenosis {
+
+/// Keeps centres between the vessel's ends, 0 <= z <= length: nothing leaks out of the piece modelled.
+class EndPlanes : public Constraint {
+ public:
+  explicit EndPlanes(double length) : length_(length) {}
+  void project(const AgentStore& agents, Index i, Vec3& position) const override;
+  void release(const AgentStore& agents, Index i, Vec3& force) const override;
+
+ private:
+  double length_;
+};
+
+}  // namespace restenosis

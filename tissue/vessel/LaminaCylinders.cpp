@@ -1,0 +1,41 @@
+#include "LaminaCylinders.h"
+
+#include <algorithm>
+
+#include "Cylindrical.h"
+
+namespace restenosis {
+
+void LaminaCylinders::project(const AgentStore& agents, Index i, Vec3& position) const {
+  switch (agents.kind[i]) {
+    case AgentKind::iel:
+      position = atRadius(position, ielRadius_);
+      break;
+    case AgentKind::eel:
+      position = atRadius(position, eelRadius_);
+      break;
+    case AgentKind::smc: {
+      const double radius = radiusOf(position);
+      const double allowed = std::clamp(radius, ielRadius_ + clearance_, eelRadius_ - clearance_);
+      if (radius != allowed) position = atRadius(position, allowed);
+      break;
+    }
+    case AgentKind::strut:
+      break;
+  }
+}
+
+void LaminaCylinders::release(const AgentStore& agents, Index i, Vec3& force) const {
+  const Vec3 position = agents.position(i), out = radialAt(position);
+  const double outward = force.dot(out), radius = radiusOf(position);
+  // Rounding of the projection is far below a billionth of the radius.
+  constexpr double slack = 1e-9;
+  const bool onLamina = agents.kind[i] == AgentKind::iel || agents.kind[i] == AgentKind::eel;
+  const bool atInner =
+      agents.kind[i] == AgentKind::smc && outward < 0 && radius <= (ielRadius_ + clearance_) * (1 + slack);
+  const bool atOuter =
+      agents.kind[i] == AgentKind::smc && outward > 0 && radius >= (eelRadius_ - clearance_) * (1 - slack);
+  if (onLamina || atInner || atOuter) force -= outward * out;
+}
+
+}  // namespace restenosis

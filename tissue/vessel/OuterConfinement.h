@@ -1,0 +1,32 @@
+#pragma once
+
+#include "Constraint.h"
+#include "RadiusMap.h"
+
+namespace restenosis {
+
+/// Keeps cells inside the EEL by a surface: between the spheres of the lamina a pressed cell would leak
+/// (model 4). The surface is the smooth radius map of the EEL agents; a cell's centre stays `margin` of its
+/// radius inside it. It acts radially.
+///
+/// The surface is that of the agents when it was made: make a new one after the EEL has moved.
+class OuterConfinement : public Constraint {
+ public:
+  /// `cellRadius` is the mean radius of the wall's agents [m]; the surface is smoothed over twice that.
+  OuterConfinement(const AgentStore& agents, double cellRadius, double margin = defaultMargin);
+
+  /// Half a radius (assumed): a cell at rest beside the EEL stays further in, so that the surface carries
+  /// nothing there.
+  static constexpr double defaultMargin = 0.5;
+
+  void project(const AgentStore& agents, Index i, Vec3& position) const override;
+  void release(const AgentStore& agents, Index i, Vec3& force) const override;
+  /// Distance of the EEL from the axis at the point's angle and place along the vessel [m].
+  double surfaceRadius(const Vec3& point) const { return map_.at(point); }
+
+ private:
+  RadiusMap map_;
+  double margin_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,93 @@
+#include "RadiusMap.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "Cylindrical.h"
+
+namespace restenosis {
+
+RadiusMap::RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing) {
+  using std::numbers::pi;
+  double zHigh = -std::numeric_limits<double>::infinity(), radiusSum = 0;
+  zLow_ = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] != kind) continue;
+    zLow_ = std::min(zLow_, agents.z[i]), zHigh = std::max(zHigh, agents.z[i]);
+    radiusSum += radiusOf(agents.position(i)), ++count;
+  }
+  if (count == 0) return;
+
+  const double meanRadius = radiusSum / static_cast<double>(count);
+  around_ = std::max(8, static_cast<int>(std::ceil(2 * pi * meanRadius / smoothing)));
+  along_ = 1 + static_cast<int>(std::ceil((zHigh - zLow_) / smoothing));
+  zStep_ = along_ > 1 ? (zHigh - zLow_) / (along_ - 1) : 1.0;
+  values_.assign(static_cast<std::size_t>(around_) * along_, 0.0);
+  std::vector<double> weight(values_.size(), 0.0);
+
+  constexpr int reach = 3;  // nodes are one standard deviation apart, so the weight ends at three
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] != kind) continue;
+    const Cylindrical c = toCylindrical(agents.position(i));
+    const double u = (c.angle / (2 * pi) + 0.5) * around_, v = (c.z - zLow_) / zStep_;
+    const int u0 = static_cast<int>(std::lround(u)), v0 = static_cast<int>(std::lround(v));
+    for (int along = std::max(0, v0 - reach); along <= std::min(along_ - 1, v0 + reach); ++along) {
+      for (int k = u0 - reach; k <= u0 + reach; ++k) {
+        const double w = std::exp(-0.5 * ((k - u) * (k - u) + (along - v) * (along - v)));
+        const int around = ((k % around_) + around_) % around_;
+        value(around, along) += w * c.radius;
+        weight[static_cast<std::size_t>(along) * around_ + around] += w;
+      }
+    }
+  }
+  for (std::size_t n = 0; n < values_.size(); ++n) {
+    if (weight[n] > 0) values_[n] /= weight[n];
+  }
+  continueIntoGaps(weight);
+}
+
+void RadiusMap::continueIntoGaps(std::vector<double>& weight) {
+  // Each sweep gives a node without agents the mean of its neighbours that have a value; at least one node
+  // has.
+  for (bool gaps = true; gaps;) {
+    gaps = false;
+    const auto known = weight;
+    const auto isKnown = [&](int around, int along) {
+      return known[static_cast<std::size_t>(along) * around_ + around] > 0;
+    };
+    for (int along = 0; along < along_; ++along) {
+      for (int around = 0; around < around_; ++around) {
+        if (isKnown(around, along)) continue;
+        double sum = 0;
+        int neighbours = 0;
+        const auto take = [&](int a, int b) {
+          if (b < 0 || b >= along_ || !isKnown(a, b)) return;
+          sum += value(a, b), ++neighbours;
+        };
+        take((around + 1) % around_, along), take((around + around_ - 1) % around_, along);
+        take(around, along - 1), take(around, along + 1);
+        if (neighbours > 0) {
+          value(around, along) = sum / neighbours;
+          weight[static_cast<std::size_t>(along) * around_ + around] = 1;
+        } else {
+          gaps = true;
+        }
+      }
+    }
+  }
+}
+
+double RadiusMap::at(const Vec3& point) const {
+  if (empty()) return std::numeric_limits<double>::infinity();
+  const Cylindrical c = toCylindrical(point);
+  const double u = (c.angle / (2 * std::numbers::pi) + 0.5) * around_;
+  const double v = std::clamp((c.z - zLow_) / zStep_, 0.0, static_cast<double>(along_ - 1));
+  const int u0 = static_cast<int>(std::floor(u)), v0 = std::min(static_cast<int>(v), std::max(0, along_ - 2));
+  const double s = u - u0, t = v - v0;
+  const int left = u0 % around_, right = (u0 + 1) % around_, next = std::min(v0 + 1, along_ - 1);
+  return (1 - t) * ((1 - s) * value(left, v0) + s * value(right, v0)) +
+         t * ((1 - s) * value(left, next) + s * value(right, next));
+}
+
+}  // namespace restenosis

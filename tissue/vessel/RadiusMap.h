@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// A lamina as a smooth surface: its distance from the axis over angle and place along the vessel, averaged
+/// from its agents with a weight that falls off over a few radii and interpolated bilinearly.
+class RadiusMap {
+ public:
+  /// Averages the agents of one kind. `smoothing` is the standard deviation of the weight [m], at least half
+  /// the spacing of the agents; where there are none within three of it the nearest values are continued.
+  RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing);
+
+  /// Whether there was any agent; without one `at` is infinite: no surface.
+  bool empty() const { return values_.empty(); }
+  /// Distance of the surface from the axis at the point's angle and place along the vessel [m].
+  double at(const Vec3& point) const;
+
+ private:
+  double& value(int around, int along) { return values_[static_cast<std::size_t>(along) * around_ + around]; }
+  double value(int around, int along) const {
+    return values_[static_cast<std::size_t>(along) * around_ + around];
+  }
+  void continueIntoGaps(std::vector<double>& weight);
+
+  int around_ = 0, along_ = 0;
+  double zLow_ = 0, zStep_ = 1;
+  std::vector<double> values_;
+};
+
+}  // namespace restenosis

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "StentParameters.h"
+#include "StrutChain.h"
+
+namespace restenosis {
+
+/// A way to lay out struts on a cylinder.
+struct StentDesign {
+  std::string_view name;     ///< in a scene
+  std::string_view summary;  ///< for the schema
+  bool spansLength;          ///< whether it reads StentParameters::length
+  std::vector<StrutSegment> (*build)(const StentParameters&, const StentLayout&);
+};
+
+/// All designs. A new one is a file with its `build` function and a line here.
+std::span<const StentDesign> stentDesigns();
+/// Their names, as `choice` wants them.
+std::vector<std::string_view> stentDesignNames();
+/// Throws std::invalid_argument, with the valid names, for an unknown one.
+const StentDesign& stentDesign(std::string_view name);
+
+/// One ring half way along the vessel.
+std::vector<StrutSegment> buildRing(const StentParameters&, const StentLayout&);
+/// `ringCount` rings evenly over the stent's length.
+std::vector<StrutSegment> buildRings(const StentParameters&, const StentLayout&);
+/// The same, neighbours joined by `linkCount` straight links, staggered from gap to gap.
+std::vector<StrutSegment> buildRingsWithLinks(const StentParameters&, const StentLayout&);
+/// A helix of `helixTurns` turns over the stent's length.
+std::vector<StrutSegment> buildHelix(const StentParameters&, const StentLayout&);
+/// After the BiodivYsio (T6, simplified): sinusoidal rings, neighbours mirrored so that crest faces crest,
+/// `linkCount` of the facing crests joined by straight links.
+std::vector<StrutSegment> buildBiodivysio(const StentParameters&, const StentLayout&);
+
+}  // namespace restenosis

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "AgentStore.h"
+#include "BondTable.h"
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+/// The vessel's wall: its agents, the bonds between them and the cylinder they were made for. Strut agents
+/// are appended to the same store by Deployment.
+struct Wall {
+  AgentStore agents;
+  BondTable bonds;
+  double length = 0;         ///< of the vessel, along z from 0 [m]
+  double lumenRadius = 0;    ///< before stenting [m]
+  double wallThickness = 0;  ///< [m]
+  double cellRadius = 0;     ///< mean radius of the wall's agents [m]
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(agents, bonds, length, lumenRadius, wallThickness, cellRadius);
+  }
+};
+
+/// A wall without agents with the vessel's geometry.
+inline Wall emptyWall(const VesselParameters& vessel) {
+  Wall wall;
+  wall.length = vessel.length;
+  wall.lumenRadius = vessel.lumenDiameter / 2;
+  wall.wallThickness = vessel.wallThickness;
+  wall.cellRadius = vessel.cellRadius;
+  return wall;
+}
+
+/// Flags agents whose centres lie within `radii` mean cell radii of an end as fixed, all others as free.
+void fixEnds(Wall& wall, double radii);
+
+/// Flags every EEL agent as fixed (model 2: the tissue outside is stiff); the ends keep their flags.
+void fixOuterLamina(Wall& wall);
+
+/// Orders agents along a space-filling (Morton) curve of cells of four radii, bonds included, so that
+/// neighbours in space are neighbours in memory. Ids stay.
+void orderInSpace(Wall& wall);
+
+}  // namespace restenosis

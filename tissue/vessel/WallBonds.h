@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Wall.h"
+
+namespace restenosis {
+
+/// Bonds wall agents (not struts) whose centres are nearer than `range` times the sum of their radii, the
+/// nearest pairs first, at most BondTable::maxBonds an agent. The rest length is the present distance, so
+/// that the bonds carry nothing now. Earlier bonds are dropped. Returns the number of bonds.
+std::size_t bondWall(Wall& wall, double range);
+
+}  // namespace restenosis

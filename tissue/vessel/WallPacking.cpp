@@ -1,0 +1,116 @@
+#include "WallPacking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "Cylindrical.h"
+#include "EndPlanes.h"
+#include "LaminaCylinders.h"
+#include "OuterConfinement.h"
+#include "PoissonScatter.h"
+#include "RandomStream.h"
+#include "WallBonds.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double radiusCut = 3;  // standard deviations
+
+double drawRadius(const VesselParameters& vessel, AgentId id, std::uint64_t seed) {
+  if (vessel.radiusSpread == 0) return vessel.cellRadius;
+  RandomStream stream(seed, id, 0, RandomPurpose::radius);
+  double deviation = stream.normal();
+  while (std::abs(deviation) > radiusCut) deviation = stream.normal();
+  return vessel.cellRadius * (1 + vessel.radiusSpread * deviation);
+}
+
+double meanIelRadius(const AgentStore& agents) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    if (agents.kind[i] == AgentKind::iel) sum += radiusOf(agents.position(i)), ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+Index countExpelled(const Wall& wall) {
+  const RadiusMap iel(wall.agents, AgentKind::iel, 2 * wall.cellRadius);
+  const RadiusMap eel(wall.agents, AgentKind::eel, 2 * wall.cellRadius);
+  Index expelled = 0;
+  for (Index i = 0; i < wall.agents.size(); ++i) {
+    if (wall.agents.kind[i] != AgentKind::smc) continue;
+    const Vec3 position = wall.agents.position(i);
+    const double radius = radiusOf(position);
+    expelled += radius < iel.at(position) || radius > eel.at(position);
+  }
+  return expelled;
+}
+
+}  // namespace
+
+Wall scatterWall(const VesselParameters& vessel, std::uint64_t seed) {
+  const AgentCounts counts = countAgents(vessel);
+  Wall wall = emptyWall(vessel);
+  const double inner = ielRadius(vessel), outer = eelRadius(vessel);
+  const double largest = vessel.cellRadius * (1 + radiusCut * vessel.radiusSpread);
+  PoissonScatter scatter(seed, vessel.length, outer, largest);
+  const auto add = [&](AgentKind kind, Index count, double from, double to) {
+    scatter.restart();
+    for (Index n = 0; n < count; ++n) {
+      scatter.add(wall.agents, kind, drawRadius(vessel, wall.agents.nextId, seed), from, to);
+    }
+  };
+  add(AgentKind::iel, counts.iel, inner, inner);
+  add(AgentKind::eel, counts.eel, outer, outer);
+  add(AgentKind::smc, counts.smc, inner + vessel.cellRadius, outer - vessel.cellRadius);
+  wall.bonds.resize(wall.agents.size());
+  return wall;
+}
+
+Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
+              PackingReport* report) {
+  PackingReport done;
+  done.counts = countAgents(vessel);
+  Wall wall = scatterWall(vessel, seed);
+  orderInSpace(wall);
+
+  // Packing always runs to equilibrium, and below the scene's tolerance, so that a wall at rest is at rest
+  // for the scene; what the scene says about effort and mobility is for its own deformations.
+  MechanicsParameters settings = mechanics;
+  settings.minimiser = MechanicsParameters().minimiser;
+  settings.axialForceFactor = 1;
+  settings.tolerance = mechanics.tolerance / 2;
+  settings.maximumIterations = std::max<std::int64_t>(mechanics.maximumIterations, 20000);
+  settings.stopAtMaximum = false;
+  Relaxation relaxation(settings, vessel.cellRadius);
+
+  const EndPlanes ends(vessel.length);
+  const LaminaCylinders cylinders(ielRadius(vessel), eelRadius(vessel), vessel.cellRadius);
+  const std::array<const Constraint*, 2> packing = {&cylinders, &ends};
+  done.packed = relaxation.relax(wall.agents, wall.bonds, packing);
+
+  const double before = meanIelRadius(wall.agents);
+  const OuterConfinement outside(wall.agents, vessel.cellRadius);
+  const std::array<const Constraint*, 2> released = {&outside, &ends};
+  done.released = relaxation.relax(wall.agents, wall.bonds, released);
+  done.ielDrift = meanIelRadius(wall.agents) - before;
+  done.expelled = countExpelled(wall);
+
+  orderInSpace(wall);
+  done.bonds = bondWall(wall, vessel.bondRange);
+  fixEnds(wall, vessel.fixedEnds);
+  if (report) *report = done;
+  return wall;
+}
+
+Wall adoptWall(const VesselParameters& vessel, AgentStore agents) {
+  Wall wall = emptyWall(vessel);
+  wall.agents = std::move(agents);
+  orderInSpace(wall);
+  bondWall(wall, vessel.bondRange);
+  fixEnds(wall, vessel.fixedEnds);
+  return wall;
+}
+
+}  // namespace restenosis
