@@ -4,6 +4,7 @@
 #include "FlowSupport.h"
 #include "FoamBackend.h"
 #include "OpenFoamPresent.h"
+#include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
 namespace restenosis::testing {
@@ -23,7 +24,7 @@ TEST(FoamFidelity, costAndError) {
       "imbalance remarks\n");
   for (const char* level : {"draft", "standard", "reference"})
     for (const bool stented : {false, true}) {
-      const ScratchFolder folder;
+      const TemporaryFolder folder;
       FoamBackend backend(FoamSettings::forFidelity(level));
       const auto lumen =
           stented ? stentedTube(vesselRadius, vesselLength, 90e-6) : tube(vesselRadius, vesselLength);

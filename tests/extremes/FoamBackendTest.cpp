@@ -11,6 +11,7 @@
 #include "FoamTemplate.h"
 #include "LumenStl.h"
 #include "OpenFoamPresent.h"
+#include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
@@ -48,7 +49,7 @@ class PathOnly {
 };
 
 TEST(FoamBackendFaults, holeAndNanAndScaleAreFoundBeforeMeshing) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   auto hole = tube(vesselRadius, vesselLength);
   hole.triangles.erase(hole.triangles.begin() + 100);
   hole.region.erase(hole.region.begin() + 100);
@@ -64,7 +65,7 @@ TEST(FoamBackendFaults, holeAndNanAndScaleAreFoundBeforeMeshing) {
 
 TEST(FoamBackendFaults, leakingMeshIsFound) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto folder = scratch.path() / "case";
   const auto whole = tube(vesselRadius, vesselLength);
   const auto lumen = measureLumen(whole, draft());
@@ -89,7 +90,7 @@ TEST(FoamBackendFaults, leakingMeshIsFound) {
 
 TEST(FoamBackendFaults, occlusionIsNamed) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const double closed = 1e-5 * vesselRadius;
   const auto lumen = revolve({{vesselRadius, 0},
                               {vesselRadius, 0.3e-3},
@@ -104,7 +105,7 @@ TEST(FoamBackendFaults, occlusionIsNamed) {
 
 TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   FoamSettings settings = draft();
   settings.iterations = 3;
   fs::path log;
@@ -117,7 +118,7 @@ TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
 }
 
 TEST(FoamBackendFaults, missingProgramNamesItsPackage) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const PathOnly nothing(scratch.path());
   const auto message = failure(tube(vesselRadius, vesselLength), scratch.path() / "case");
   EXPECT_SAYS(message, "blockMesh");
@@ -125,7 +126,7 @@ TEST(FoamBackendFaults, missingProgramNamesItsPackage) {
 }
 
 TEST(FoamBackendFaults, killedProgramIsNamedAndAnInterruptedOneNotTriedAgain) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   for (const auto& [signal, words] : {std::pair{"9", "signal 9"}, {"15", "interrupted"}}) {
     const auto programs = scratch.path() / "bin";
     fs::create_directories(programs);

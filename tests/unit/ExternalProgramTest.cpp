@@ -3,20 +3,14 @@
 #include <sys/wait.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <thread>
 
 #include "ExternalProgram.h"
-#include "FlowSupport.h"
+#include "TemporaryFolder.h"
 
 namespace restenosis {
 namespace {
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(ExternalProgram, missingProgramIsNamed) {
   try {
@@ -29,7 +23,7 @@ TEST(ExternalProgram, missingProgramIsNamed) {
 }
 
 TEST(ExternalProgram, outputErrorsAndStatusArrive) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto log = scratch.path() / "log";
   const auto exit = ExternalProgram("sh")
                         .setEnvironment("GREETING", "a b;c")
@@ -37,17 +31,17 @@ TEST(ExternalProgram, outputErrorsAndStatusArrive) {
   EXPECT_FALSE(exit.succeeded());
   EXPECT_EQ(exit.status, 3);
   EXPECT_EQ(exit.describe(), "exit status 3");
-  EXPECT_EQ(textOf(log), "a b;c\n" + scratch.path().string() + "\nwrong\n");
+  EXPECT_EQ(readText(log), "a b;c\n" + scratch.path().string() + "\nwrong\n");
 }
 
 TEST(ExternalProgram, argumentsAreNotInterpreted) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   EXPECT_TRUE(ExternalProgram("echo").run({"$HOME; *"}, scratch.path(), scratch.path() / "log").succeeded());
-  EXPECT_EQ(textOf(scratch.path() / "log"), "$HOME; *\n");
+  EXPECT_EQ(readText(scratch.path() / "log"), "$HOME; *\n");
 }
 
 TEST(ExternalProgram, signalIsTold) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto killed = ExternalProgram("sh").run({"-c", "kill -9 $$"}, scratch.path(), scratch.path() / "log");
   EXPECT_EQ(killed.signal, SIGKILL);
   EXPECT_FALSE(killed.interrupted());
@@ -57,7 +51,7 @@ TEST(ExternalProgram, signalIsTold) {
 }
 
 TEST(ExternalProgram, missingFolderIsAnError) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   EXPECT_THROW(ExternalProgram("true").run({}, scratch.path() / "absent", scratch.path() / "log"),
                std::runtime_error);
   EXPECT_THROW(ExternalProgram("true").run({}, scratch.path(), scratch.path() / "absent/log"),
@@ -65,7 +59,7 @@ TEST(ExternalProgram, missingFolderIsAnError) {
 }
 
 TEST(ExternalProgram, diesWithItsParent) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto log = scratch.path() / "log";
   const pid_t parent = fork();
   if (parent == 0) {
@@ -76,14 +70,14 @@ TEST(ExternalProgram, diesWithItsParent) {
     for (int i = 0; i < 500 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return condition();
   };
-  ASSERT_TRUE(until([&] { return textOf(log).ends_with('\n'); }));
-  const pid_t child = std::stoi(textOf(log));
+  ASSERT_TRUE(until([&] { return readText(log).ends_with('\n'); }));
+  const pid_t child = std::stoi(readText(log));
   ASSERT_EQ(kill(child, 0), 0);
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
   // Gone, or dead and waiting for init
   EXPECT_TRUE(until([&] {
-    const auto stat = textOf("/proc/" + std::to_string(child) + "/stat");
+    const auto stat = readText("/proc/" + std::to_string(child) + "/stat");
     return stat.empty() || stat.find(") Z ") != std::string::npos;
   }));
 }

@@ -7,6 +7,7 @@
 #include "FoamTemplate.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
+#include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
@@ -57,7 +58,7 @@ TEST(LumenCase, wrongScaleIsNamed) {
 }
 
 TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto file = scratch.path() / "lumen.stl";
   writeLumenStl(tube(1e-3, 1e-3, 1), 0.2e-3, file);
   const auto plain = foamLog::read(file);
@@ -74,7 +75,7 @@ TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
 }
 
 TEST(FoamTemplate, foreignFilesAreNotOverwritten) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   copyFoamTemplate(foamTemplate(), scratch.path() / "case");
   EXPECT_TRUE(std::filesystem::exists(scratch.path() / "case/0.orig/U"));
   EXPECT_NO_THROW(copyFoamTemplate(foamTemplate(), scratch.path() / "case"));

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "FlowSupport.h"
+#include "TemporaryFolder.h"
 #include "WallPatch.h"
 
 namespace restenosis {
@@ -38,7 +38,7 @@ void writePatch(const std::filesystem::path& file, const char* field, const Vec3
 }
 
 TEST(WallPatch, becomesTractionInSiUnits) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto file = scratch.path() / "wall.vtp";
   writePatch(file, "wallShearStress", {50, 0, -1600});  // the part along the normal is left out
   std::vector<WallFace> faces;
@@ -51,7 +51,7 @@ TEST(WallPatch, becomesTractionInSiUnits) {
 }
 
 TEST(WallPatch, badFilesAreRefused) {
-  const testing::ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto file = scratch.path() / "wall.vtp";
   std::vector<WallFace> faces;
   EXPECT_THROW(appendWallPatch(file, SurfaceRegion::wall, 1000.0, faces), std::runtime_error);

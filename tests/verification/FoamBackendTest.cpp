@@ -3,6 +3,7 @@
 #include "FlowSupport.h"
 #include "FoamBackend.h"
 #include "OpenFoamPresent.h"
+#include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
@@ -17,7 +18,7 @@ constexpr double endMargin = 0.1e-3;
 
 TEST(FoamBackend, poiseuilleAtFixedFlowRate) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   FoamBackend backend(FoamSettings::forFidelity("draft"));
   const auto s = backend.solve(tube(vesselRadius, vesselLength), vesselConditions(), scratch.path() / "case");
   const auto error = stressError(s, vesselStress(), endMargin, vesselLength - endMargin);
@@ -37,7 +38,7 @@ TEST(FoamBackend, poiseuilleAtFixedFlowRate) {
 
 TEST(FoamBackend, poiseuilleAtFixedPressureGradient) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   FlowConditions conditions = vesselConditions();
   conditions.drive = FlowConditions::Drive::pressureGradient;
   FoamBackend backend(FoamSettings::forFidelity("draft"));
@@ -49,7 +50,7 @@ TEST(FoamBackend, poiseuilleAtFixedPressureGradient) {
 
 TEST(FoamBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   FoamBackend backend(FoamSettings::forFidelity("draft"));
   const auto s = backend.solve(stentedTube(vesselRadius, vesselLength, 90e-6), vesselConditions(),
                                scratch.path() / "case");

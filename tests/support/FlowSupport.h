@@ -1,34 +1,12 @@
 #pragma once
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
-#include <string>
 
 #include "FlowBackend.h"
 
 namespace restenosis::testing {
-
-/// A folder of its own, removed with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "restenosisXXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The thesis vessel: radius 0.9 mm, mean velocity 0.133 m/s.
 inline constexpr double vesselRadius = 0.9e-3, vesselLength = 1.2e-3, meanVelocity = 0.133;
