@@ -49,10 +49,11 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.what()));
       return solution;
-    } catch (const FoamStepFailed& second) {
+    } catch (const FlowFailed& second) {
+      const fs::path former = folder / "firstAttempt" / first.log.filename();
       throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
                                    second.what(), first.what()),
-                       second.log);
+                       second.log.empty() ? former : second.log);
     }
   }
 }
