@@ -95,9 +95,9 @@ int tryRun(const RunArguments& arguments) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
   } catch (const FlowFailed& error) {
-    std::cerr << fmt::format(
-        "\nThe flow failed: {}\nRead {}. Results so far are kept; go on with --resume.\n", error.what(),
-        error.log.string());
+    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
+    if (!error.log.empty()) std::cerr << fmt::format("Read {}. ", error.log.string());
+    std::cerr << "Results so far are kept; go on with --resume.\n";
   } catch (const std::exception& error) {
     std::cerr << fmt::format("\n{}\n", error.what());
   }

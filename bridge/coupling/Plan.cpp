@@ -30,7 +30,7 @@ std::string noFlowBecause(const Scene& scene) {
   if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
   if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
   const double onset = Biology(biologySettings(scene)).endotheliumOnset();
-  if (onset >= scene.scene.duration)
+  if (onset > scene.scene.duration)
     return fmt::format("endothelium returns after the end of the run (day {:g})", onset / day);
   return "";
 }

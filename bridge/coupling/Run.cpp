@@ -136,9 +136,9 @@ void Run::startGrowth() {
 void Run::buildSchedule() {
   const bool everyStep = scene_.coupling.schedule == "everyStep";
   schedule_ = std::make_unique<Schedule>(everyStep ? Schedule::Mode::everyStep : Schedule::Mode::onChange);
+  // Not archived: where the stent stands after deployment follows from the scene.
   if (scene_.stent && !world_.stent)
-    world_.stent =
-        Deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_).stent();
+    world_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
   auto backend = scene_.flow
                      ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
                                                               .ranks = options_.ranks,

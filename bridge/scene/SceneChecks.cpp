@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+
+#include "VesselValidation.h"
 
 namespace restenosis {
 namespace {
@@ -21,26 +24,31 @@ struct Check {
   Finding (*find)(const Scene& scene, const Units& units);
 };
 
+/// A length or time for people: no digits beyond what anyone types.
+std::string shown(const Units& units, double si, const std::string& unit) {
+  return fmt::format("{:.6g} {}", units.fromSi(si, unit), unit);
+}
+
 bool hasPackedWall(const Scene& s) { return s.hasTissue() && s.vessel.agents.empty(); }
 
 Finding durationBelowStep(const Scene& s, const Units& u) {
   if (s.scene.duration >= s.scene.step) return {};
-  return fmt::format("'duration' is {}, shorter than one step of {}", u.format(s.scene.duration, "h"),
-                     u.format(s.scene.step, "h"));
+  return fmt::format("'duration' is {}, shorter than one step of {}", shown(u, s.scene.duration, "h"),
+                     shown(u, s.scene.step, "h"));
 }
 
 Finding durationBetweenSteps(const Scene& s, const Units& u) {
   const double steps = s.scene.duration / s.scene.step;
   if (steps < 1 || std::abs(steps - std::round(steps)) < 1e-9 * steps) return {};
-  return fmt::format("'duration' is {}, not a whole number of steps of {}", u.format(s.scene.duration, "h"),
-                     u.format(s.scene.step, "h"));
+  return fmt::format("'duration' is {}, not a whole number of steps of {}", shown(u, s.scene.duration, "h"),
+                     shown(u, s.scene.step, "h"));
 }
 
 Finding tooManySteps(const Scene& s, const Units& u) {
   const double steps = s.scene.duration / s.scene.step;
   if (steps <= mostSteps) return {};
   return fmt::format("'step' of {} makes {:.3g} steps; at most {:.3g} are allowed",
-                     u.format(s.scene.step, "h"), steps, mostSteps);
+                     shown(u, s.scene.step, "h"), steps, mostSteps);
 }
 
 Finding needs(bool present, bool needed, std::string_view section, std::string_view other,
@@ -84,31 +92,15 @@ Finding stenosisOfLoadedLumen(const Scene& s, const Units&) {
 Finding stenosisTooLong(const Scene& s, const Units& u) {
   if (s.vessel.stenosis == 0 || s.vessel.stenosisLength <= s.vessel.length) return {};
   return fmt::format("'stenosisLength' is {}, longer than the vessel ({})",
-                     u.format(s.vessel.stenosisLength, "mm"), u.format(s.vessel.length, "mm"));
+                     shown(u, s.vessel.stenosisLength, "mm"), shown(u, s.vessel.length, "mm"));
 }
 
-Finding stentTooLong(const Scene& s, const Units& u) {
-  if (!s.stent || !s.stent->file.empty() || s.stent->length <= s.vessel.length) return {};
-  return fmt::format("the stent's 'length' is {}, longer than the vessel ({})",
-                     u.format(s.stent->length, "mm"), u.format(s.vessel.length, "mm"));
-}
-
-Finding strutTooWide(const Scene& s, const Units& u) {
-  if (!s.stent || !s.stent->file.empty() || s.stent->strutWidth < s.vessel.length) return {};
-  return fmt::format("'strutWidth' is {}, but the vessel is only {} long",
-                     u.format(s.stent->strutWidth, "mm"), u.format(s.vessel.length, "mm"));
-}
-
-Finding strutTooThick(const Scene& s, const Units& u) {
-  if (!s.stent || !s.stent->file.empty() || s.stent->strutThickness < s.vessel.lumenDiameter / 2) return {};
-  return fmt::format("'strutThickness' is {}: a strut thicker than the lumen's radius ({}) leaves no lumen",
-                     u.format(s.stent->strutThickness, "mm"), u.format(s.vessel.lumenDiameter / 2, "mm"));
-}
-
-Finding deploymentTooDeep(const Scene& s, const Units& u) {
-  if (!s.stent || s.stent->deploymentDepth < s.vessel.wallThickness) return {};
-  return fmt::format("'deploymentDepth' is {}, but the wall is only {} thick",
-                     u.format(s.stent->deploymentDepth, "um"), u.format(s.vessel.wallThickness, "um"));
+/// One ring does not use its length, but who gives one expects it to fit. (Other designs: validate.)
+Finding ringLongerThanVessel(const Scene& s, const Units& u) {
+  if (!s.stent || !s.stent->file.empty() || s.stent->design != "ring" || s.stent->length <= s.vessel.length)
+    return {};
+  return fmt::format("'length' in [stent]: a stent of {} is longer than the vessel ({})",
+                     shown(u, s.stent->length, "mm"), shown(u, s.vessel.length, "mm"));
 }
 
 Finding cellsTooLarge(const Scene& s, const Units& u) {
@@ -117,21 +109,21 @@ Finding cellsTooLarge(const Scene& s, const Units& u) {
   return fmt::format(
       "'cellRadius' is {}; at most {} fits IEL, one layer of cells and EEL into the wall ({}) and as many "
       "agents along the vessel ({})",
-      u.format(s.vessel.cellRadius, "um"), fmt::format("{:.3g} um", u.fromSi(largest, "um")),
-      u.format(s.vessel.wallThickness, "um"), u.format(s.vessel.length, "mm"));
+      shown(u, s.vessel.cellRadius, "um"), fmt::format("{:.3g} um", u.fromSi(largest, "um")),
+      shown(u, s.vessel.wallThickness, "um"), shown(u, s.vessel.length, "mm"));
 }
 
 Finding tooManyAgents(const Scene& s, const Units& u) {
   const double agents = estimatedAgents(s);
   if (agents <= mostAgents) return {};
   return fmt::format("cells of radius {} make about {:.2g} agents of this wall; at most {:.2g} are allowed",
-                     u.format(s.vessel.cellRadius, "um"), agents, mostAgents);
+                     shown(u, s.vessel.cellRadius, "um"), agents, mostAgents);
 }
 
 Finding phasesBelowZero(const Scene& s, const Units& u) {
   if (!s.cellCycle || s.cellCycle->g1Mean >= 3 * s.cellCycle->g1Spread) return {};
   return fmt::format("'g1Spread' is {}, more than a third of g1Mean ({}): G1 could last less than no time",
-                     u.format(s.cellCycle->g1Spread, "h"), u.format(s.cellCycle->g1Mean, "h"));
+                     shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
 }
 
 Finding driveWithoutGradient(const Scene& s, const Units&) {
@@ -143,7 +135,7 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (s.coupling.surfaceResolution <= s.vessel.lumenDiameter / 10) return {};
   return fmt::format("'surfaceResolution' is {}; a lumen of {} needs at least ten spacings across",
-                     u.format(s.coupling.surfaceResolution, "um"), u.format(s.vessel.lumenDiameter, "mm"));
+                     shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"));
 }
 
 const std::vector<Check>& checks() {
@@ -160,10 +152,7 @@ const std::vector<Check>& checks() {
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
       {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLoadedLumen},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
-      {{"stent.length", "stent.design", "stent.file", "vessel.length"}, stentTooLong},
-      {{"stent.strutWidth", "stent.file", "vessel.length"}, strutTooWide},
-      {{"stent.strutThickness", "stent.file", "vessel.lumenDiameter"}, strutTooThick},
-      {{"stent.deploymentDepth", "vessel.wallThickness"}, deploymentTooDeep},
+      {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},
        cellsTooLarge},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.lumenDiameter",
@@ -178,6 +167,34 @@ const std::vector<Check>& checks() {
 
 std::string_view sectionOf(std::string_view key) { return key.substr(0, key.find('.')); }
 
+/// Adds a finding at the key to blame, "section" or "section.key", which no later check may rely on.
+void blame(std::string_view key, std::string message, const SceneDocument& document,
+           SceneFindings& findings) {
+  const std::string_view section = sectionOf(key);
+  findings.add(document.placeOf(section, section == key ? "" : key.substr(section.size() + 1)),
+               std::move(message));
+  findings.unreliable.emplace(key);
+}
+
+/// Whether any key of the section, or the section itself, is already found wrong.
+bool unreliableSection(const SceneFindings& findings, std::string_view section) {
+  return std::ranges::any_of(findings.unreliable,
+                             [&](const std::string& key) { return sectionOf(key) == section; });
+}
+
+/// How tissue and stent fit each other: nearly every key of their sections counts, so that nothing can be
+/// said while one of them is wrong.
+void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& findings) {
+  if (!scene.hasTissue() || unreliableSection(findings, VesselParameters::section)) return;
+  const bool withStent = scene.stent && !unreliableSection(findings, StentParameters::section);
+  for (const ParameterProblem& problem : validate(scene.vessel, withStent ? &*scene.stent : nullptr)) {
+    const std::string_view section = sectionOf(problem.key);
+    blame(problem.key,
+          fmt::format("'{}' in [{}]: {}", problem.key.substr(section.size() + 1), section, problem.message),
+          document, findings);
+  }
+}
+
 }  // namespace
 
 double estimatedAgents(const Scene& scene) {
@@ -190,17 +207,15 @@ double estimatedAgents(const Scene& scene) {
 
 void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
                 SceneFindings& findings) {
-  const auto unreliable = [known = findings.unreliable](std::string_view key) {
-    return known.count(key) > 0 || known.count(sectionOf(key)) > 0;
+  const auto unreliable = [&findings](std::string_view key) {
+    return findings.unreliable.contains(key) || findings.unreliable.contains(sectionOf(key));
   };
   for (const auto& check : checks()) {
-    if (std::any_of(check.reads.begin(), check.reads.end(), unreliable)) continue;
-    if (const Finding message = check.find(scene, units)) {
-      const std::string_view blamed = check.reads.front(), section = sectionOf(blamed);
-      findings.add(document.placeOf(section, section == blamed ? "" : blamed.substr(section.size() + 1)),
-                   *message);
-    }
+    if (std::ranges::any_of(check.reads, unreliable)) continue;
+    if (Finding message = check.find(scene, units))
+      blame(check.reads.front(), std::move(*message), document, findings);
   }
+  checkFit(scene, document, findings);
 }
 
 }  // namespace restenosis

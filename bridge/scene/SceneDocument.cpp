@@ -46,6 +46,17 @@ decltype(GivenValue::value) typedValue(std::string_view text) {
   return std::string(text);
 }
 
+/// What the parser says, and where it speaks of characters only, what to look for.
+std::string explained(const toml::parse_error& error) {
+  const std::string_view what = error.description();
+  const bool unquoted = what.find("expected a comment or whitespace") != std::string_view::npos;
+  const bool unclosed = what.find("parsing string") != std::string_view::npos;
+  return fmt::format("{}{}", what,
+                     unclosed   ? "; is the closing quote missing?"
+                     : unquoted ? "; a text, or a number with a unit, stands in quotes: \"1.2 mm\""
+                                : "");
+}
+
 }  // namespace
 
 SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
@@ -58,7 +69,7 @@ SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
     broken_ = true;
     const ScenePlace place = placeIn(file, error.source());
     diagnostics.push_back({file, place.line, place.column,
-                           fmt::format("not valid TOML (column {}): {}", place.column, error.description())});
+                           fmt::format("not valid TOML (column {}): {}", place.column, explained(error))});
     return;
   }
   for (const auto& [key, node] : root) {

@@ -61,12 +61,23 @@ TEST_F(SceneChecksTest, TheStentFitsTheVessel) {
   const std::string stent = vessel + "[mechanics]\n[stent]\n";  // lines 6 and 7
   EXPECT_EQ(finding(stent), "accepted");                        // one ring needs no length
   EXPECT_STARTS(finding(stent + "length = \"5 mm\"\n"),
-                "x.toml:8: the stent's 'length' is 5 mm, longer than the vessel (1.2 mm)");
-  EXPECT_STARTS(finding(stent + "design = \"helix\"\n"), "x.toml:7: the stent's 'length' is 3.5 mm");
+                "x.toml:8: 'length' in [stent]: a stent of 5 mm is longer than the vessel (1.2 mm)");
+  EXPECT_STARTS(finding(stent + "design = \"helix\"\n"),
+                "x.toml:7: 'length' in [stent]: a stent of 3.5 mm is longer than the vessel");
   EXPECT_STARTS(finding(stent + "strutThickness = \"0.95 mm\"\n"),
-                "x.toml:8: 'strutThickness' is 0.95 mm: a strut thicker than the lumen");
+                "x.toml:8: 'strutThickness' in [stent]: a strut 0.95 mm thick does not fit a lumen");
   EXPECT_STARTS(finding(stent + "deploymentDepth = \"250 um\"\n"),
-                "x.toml:8: 'deploymentDepth' is 250 um, but the wall is only 200 um");
+                "x.toml:8: 'deploymentDepth' in [stent]: 250 um is beyond the wall: at most 170 um");
+}
+
+TEST_F(SceneChecksTest, SaysNothingOfTheFitWhileAKeyOfItIsWrong) {
+  const std::string stent = vessel + "[mechanics]\n[stent]\nstrutThickness = \"0.95 mm\"\n";  // lines 6 to 8
+  EXPECT_STARTS(finding(stent + "design = \"rings\"\n"), "x.toml:7: 'length' in [stent]: a stent of 3.5 mm");
+  for (const char* wrong : {"strutWidth = \"-1 mm\"\n", "ringCount = 0\n"}) {
+    const std::string only = finding(stent + wrong);
+    EXPECT_STARTS(only, "x.toml:9:");
+    EXPECT_EQ(only.find('\n'), std::string::npos) << only;
+  }
 }
 
 TEST_F(SceneChecksTest, TheWallHasRoomForItsLayers) {
@@ -76,6 +87,8 @@ TEST_F(SceneChecksTest, TheWallHasRoomForItsLayers) {
   EXPECT_EQ(finding(vessel + "cellRadius = \"34 um\"\n"), "accepted");  // no tissue, no cells
   EXPECT_STARTS(finding(vessel + "cellRadius = \"1 um\"\n[mechanics]\n"),
                 "x.toml:6: cells of radius 1 um make about 2.2e+08 agents");
+  EXPECT_STARTS(finding(vessel + "fixedEnds = 50\n[mechanics]\n"),
+                "x.toml:4: 'length' in [vessel]: 1.2 mm is no longer than the two fixed ends");
 }
 
 TEST_F(SceneChecksTest, CountsTheAgentsOfTheThesisVessel) {

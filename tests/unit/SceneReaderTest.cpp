@@ -136,7 +136,8 @@ TEST_F(SceneReaderTest, OffersTheChoices) {
 }
 
 TEST_F(SceneReaderTest, PlacesBrokenToml) {
-  expectOne("[scene]\nduration = \"1 d\n", 2, {"not valid TOML"});
+  expectOne("[scene]\nduration = \"1 d\n", 2, {"not valid TOML", "closing quote"});
+  expectOne("[scene]\nduration = 1 d\n", 2, {"not valid TOML", "stands in quotes"});
   expectOne("[scene\n", 1, {"not valid TOML"});
   expectOne(start + "[flow]\nbackend = \"foam\"\nbackend = \"none\"\n", 12, {"not valid TOML", "backend"});
   expectOne(start + "[scene]\n", 10, {"not valid TOML", "scene"});

@@ -19,9 +19,7 @@ Deployment::Deployment(Wall& wall, const StentParameters& stent, const VesselPar
       steps_(static_cast<int>(stent.deploymentSteps)),
       stepsDone_(stepsDone) {
   attachStruts();
-  fixEnds(wall_, vessel.fixedEnds);
-  for (const Index i : strutAgents_) wall_.agents.set(i, fixed, true);
-  if (stent.outerLamina == "fixed") fixOuterLamina(wall_);
+  if (stepsDone == 0) fixAgents(stent, vessel);
   placeStent();
 }
 
@@ -43,6 +41,12 @@ void Deployment::attachStruts() {
     throw std::invalid_argument(fmt::format("the wall holds {} strut agents, but the stent has {}",
                                             strutAgents_.size(), undeployed_.spheres.size()));
   }
+}
+
+void Deployment::fixAgents(const StentParameters& stent, const VesselParameters& vessel) {
+  fixEnds(wall_, vessel.fixedEnds);
+  for (const Index i : strutAgents_) wall_.agents.set(i, fixed, true);
+  if (stent.outerLamina == "fixed") fixOuterLamina(wall_);
 }
 
 void Deployment::placeStent() {

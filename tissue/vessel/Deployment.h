@@ -18,8 +18,9 @@ namespace restenosis {
 class Deployment {
  public:
   /// Appends the stent's obstacle agents to the wall, or, if it holds struts already (a wall read back after
-  /// `stepsDone` steps), takes those over; they must be as many as the stent has. The EEL is fixed or freed
-  /// as the stent's `outerLamina` says; fixed ends are those of `vessel`. Throws as makeStent does, and
+  /// `stepsDone` steps), takes those over; they must be as many as the stent has. Before the first
+  /// step, the EEL is fixed or freed as the stent's `outerLamina` says, and the ends as `vessel` says; later
+  /// on those agents stay fixed, whoever has moved into their place. Throws as makeStent does, and
   /// std::invalid_argument for struts that are not this stent's. The wall must outlive the deployment.
   Deployment(Wall& wall, const StentParameters& stent, const VesselParameters& vessel,
              const MechanicsParameters& mechanics, int stepsDone = 0);
@@ -41,6 +42,7 @@ class Deployment {
 
  private:
   void attachStruts();
+  void fixAgents(const StentParameters& stent, const VesselParameters& vessel);
   void placeStent();
   void continueLastMove();
 

@@ -1,0 +1,69 @@
+#include <regex>
+
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FailingFlow : public WholeProgram {
+ protected:
+  std::string foamScene() const { return scene("tiny", tinyFoamScene()); }
+  /// A folder for the PATH whose blockMesh is this shell script.
+  std::string pathWithBlockMesh(const std::string& script) const {
+    const auto bin = folder / "bin";
+    fs::create_directory(bin);
+    writeText(bin / "blockMesh", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(bin / "blockMesh", fs::perms::owner_all);
+    return bin.string() + ":/usr/bin:/bin";
+  }
+  /// The results up to the failure are whole: six rows, one each half day, and a summary that says so.
+  void expectResultsKept() const {
+    const CsvColumns series(folder / "out/timeSeries.csv");
+    EXPECT_EQ(series.rows(), 6u);  // the endothelium, and so the flow, comes at day 3
+    EXPECT_EQ(summary("out")["status"], "failed");
+    EXPECT_EQ(summary("out")["flow"]["solvesDone"], 0);
+    EXPECT_TRUE(exists("out/checkpoint/state.bin"));
+  }
+};
+
+TEST_F(FailingFlow, WithoutOpenFoamTheProgramAndItsPackageAreNamed) {
+  const std::string tiny = foamScene();
+  const ProcessEnd end = run({"run", tiny, "-o", "out"}, {{"PATH", "/nonexistent"}});
+  EXPECT_EXIT_STATUS(end, 1);
+  for (const char* part : {"'blockMesh'", "apt install openfoam", "--resume"})
+    EXPECT_NE(end.err.find(part), std::string::npos) << end.err;
+  EXPECT_EQ(end.err.find("Read ."), std::string::npos) << "there is no log to read:\n" << end.err;
+  expectResultsKept();
+
+  // It goes on from where it was: the same failure again, and nothing is lost or repeated.
+  const std::string before = readText(folder / "out/timeSeries.csv");
+  const ProcessEnd again = run({"run", tiny, "-o", "out", "--resume"}, {{"PATH", "/nonexistent"}});
+  EXPECT_EXIT_STATUS(again, 1);
+  EXPECT_EQ(readText(folder / "out/timeSeries.csv"), before);
+  EXPECT_LT(again.seconds, 0.7 * end.seconds) << "it has started from the beginning";
+}
+
+TEST_F(FailingFlow, AFailingProgramIsNamedWithItsLog) {
+  const auto path = pathWithBlockMesh("echo '--> FOAM FATAL ERROR: '; echo 'the moon is full'; exit 1");
+  const ProcessEnd end = run({"run", foamScene(), "-o", "out"}, {{"PATH", path}});
+  EXPECT_EXIT_STATUS(end, 1);
+  for (const char* part : {"blockMesh", "the moon is full", "--resume"})
+    EXPECT_NE(end.err.find(part), std::string::npos) << end.err;
+  std::smatch log;
+  ASSERT_TRUE(std::regex_search(end.err, log, std::regex("Read (\\S+)\\. "))) << end.err;
+  EXPECT_NE(readText(folder / log[1].str()).find("the moon is full"), std::string::npos);
+  expectResultsKept();
+}
+
+/// OpenFOAM's programs may end with status 0 and no result.
+TEST_F(FailingFlow, AProgramThatDoesNothingIsFound) {
+  const ProcessEnd end = run({"run", foamScene(), "-o", "out"}, {{"PATH", pathWithBlockMesh("exit 0")}});
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(end.err.find("The flow failed: "), std::string::npos) << end.err;
+  expectResultsKept();
+}
+
+}  // namespace
+}  // namespace restenosis

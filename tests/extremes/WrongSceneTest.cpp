@@ -1,0 +1,137 @@
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+/// A slip, made in the tiny scene, and what the user must read about it.
+struct Slip {
+  const char* name;
+  const char* from;
+  const char* to;
+  int line;  ///< of the slip in the tiny scene
+  std::vector<std::string> says;
+};
+
+void PrintTo(const Slip& slip, std::ostream* out) { *out << slip.name; }
+
+class WrongScene : public WholeProgram, public ::testing::WithParamInterface<Slip> {
+ protected:
+  /// Expects exit 2, one line on standard error with all of `says`, and nothing written.
+  void expectRefused(const std::vector<std::string>& arguments, const std::vector<std::string>& says) {
+    const ProcessEnd end = run(arguments);
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_EQ(std::ranges::count(end.err, '\n'), 1) << end.err;
+    EXPECT_EQ(end.out, "");
+    for (const auto& part : says) EXPECT_NE(end.err.find(part), std::string::npos) << part << '\n' << end.err;
+    EXPECT_FALSE(exists("out"));
+    EXPECT_FALSE(exists("results"));
+  }
+};
+
+TEST_P(WrongScene, IsRefusedWithOneClearMessage) {
+  const Slip& slip = GetParam();
+  const std::string file = scene("slip", with(tinyScene, slip.from, slip.to));
+  auto says = slip.says;
+  says.push_back("slip.toml:" + std::to_string(slip.line) + ": ");
+  for (const char* command : {"run", "check"}) {
+    std::vector<std::string> arguments = {command, file};
+    if (arguments.front() == "run") arguments.insert(arguments.end(), {"-o", "out"});
+    expectRefused(arguments, says);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Slips, WrongScene,
+    ::testing::Values(
+        Slip{"unknownKey", "seed = 1", "sead = 1", 5, {"unknown key 'sead'", "did you mean 'seed'?"}},
+        Slip{"misspeltSection",
+             "[mechanics]",
+             "[mecanics]",
+             25,
+             {"unknown section [mecanics]", "did you mean 'mechanics'?"}},
+        Slip{"wrongUnit",
+             "\"0.24 mm\"",
+             "\"0.24 s\"",
+             9,
+             {"'length' in [vessel]", "is a time", "expected a length"}},
+        Slip{"noUnit", "\"0.24 mm\"", "0.24", 9, {"'length' in [vessel]", "without a unit", "\"0.24 mm\""}},
+        Slip{"negativeLength",
+             "\"0.24 mm\"",
+             "\"-0.24 mm\"",
+             9,
+             {"'length' in [vessel] is -0.24 mm", "larger than 0 mm"}},
+        Slip{"notANumber", "\"0.24 mm\"", "\"nan mm\"", 9, {"'length' in [vessel]", "not a finite number"}},
+        Slip{"bareNotANumber",
+             "seed = 1",
+             "seed = nan",
+             5,
+             {"'seed' in [scene]", "a whole number is expected"}},
+        Slip{"missingFile",
+             "design = \"ring\"",
+             "file = \"struts.csv\"",
+             15,
+             {"'file' in [stent]", "struts.csv does not exist"}},
+        Slip{"openQuote", "title = \"Tiny\"", "title = \"Tiny", 2, {"not valid TOML", "closing quote"}},
+        Slip{"noQuotes", "\"0.24 mm\"", "0.24 mm", 9, {"not valid TOML", "stands in quotes"}},
+        Slip{"sameKeyTwice", "seed = 1", "seed = 1\nseed = 2", 6, {"not valid TOML", "'seed'"}},
+        Slip{"ringLongerThanTheVessel",
+             "design = \"ring\"",
+             "design = \"ring\"\nlength = \"5 mm\"",
+             16,
+             {"a stent of 5 mm is longer than the vessel (0.24 mm)"}},
+        Slip{"ringsLongerThanTheVessel",
+             "design = \"ring\"",
+             "design = \"rings\"\nlength = \"5 mm\"",
+             16,
+             {"a stent of 5 mm is longer than the vessel (0.24 mm)"}},
+        Slip{"strutThickerThanTheLumen",
+             "strutThickness = \"0.06 mm\"",
+             "strutThickness = \"0.45 mm\"",
+             17,
+             {"'strutThickness' in [stent]", "0.45 mm", "lumen"}},
+        Slip{"strutsBeyondTheWall",
+             "\"40 um\"",
+             "\"100 um\"",
+             18,
+             {"'deploymentDepth' in [stent]", "beyond the wall", "84 um"}},
+        Slip{"zeroDuration", "\"4 d\"", "\"0 d\"", 3, {"'duration' in [scene] is 0 d", "larger than 0 d"}},
+        Slip{"cellsTooLarge",
+             "\"18 um\"",
+             "\"50 um\"",
+             12,
+             {"'cellRadius' is 50 um", "at most 20 um", "(120 um)"}}),
+    [](const auto& slip) { return std::string(slip.param.name); });
+
+TEST_F(WrongScene, AFileThatIsNotThereIsNamedWithTheNearestOne) {
+  scene("tiny", tinyScene);
+  expectRefused({"run", "tinny.toml", "-o", "out"},
+                {"tinny.toml: no such scene file", "did you mean tiny.toml?"});
+  expectRefused({"run", ".", "-o", "out"}, {"is a folder"});
+}
+
+TEST_F(WrongScene, AnOverrideIsNamedAsTyped) {
+  const std::string tiny = scene("tiny", tinyScene);
+  expectRefused({"run", tiny, "-o", "out", "--flow", "bogus"}, {"bogus", "Allowed: foam"});
+  expectRefused({"run", tiny, "-o", "out", "--set", "vessel.length=-1 mm"},
+                {"--set vessel.length: ", "larger than 0 mm"});
+}
+
+TEST_F(WrongScene, EverySlipIsReportedAtOnce) {
+  const std::string file =
+      scene("slips", with(with(tinyScene, "seed = 1", "sead = 1"), "\"18 um\"", "\"18 s\""));
+  const ProcessEnd end = run({"check", file});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_EQ(std::ranges::count(end.err, '\n'), 2) << end.err;
+}
+
+TEST_F(WrongScene, AFolderOfSomethingElseIsLeftAlone) {
+  std::filesystem::create_directory(folder / "out");
+  writeText(folder / "out/thesis.doc", "years of work");
+  const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "out"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(end.err.find("thesis.doc"), std::string::npos) << end.err;
+  EXPECT_EQ(contents("out").size(), 1u);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,136 @@
+#include <random>
+#include <thread>
+
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Resume : public WholeProgram {
+ protected:
+  void sleepUntilAge(Process& process, double seconds) const {
+    while (process.running() && process.age() < seconds) std::this_thread::sleep_for(2ms);
+  }
+  template <class Condition>
+  void sleepUntil(Process& process, Condition condition) const {
+    while (process.running() && !condition()) std::this_thread::sleep_for(2ms);
+  }
+  std::size_t recorded(const std::string& results) const {
+    const std::string series = readText(folder.path() / results / "timeSeries.csv");
+    return static_cast<std::size_t>(std::ranges::count(series, '\n'));
+  }
+  void expectSameResults(const std::string& results, const std::string& reference) const {
+    EXPECT_EQ(digest(results), digest(reference));
+    for (const char* file : {"timeSeries.csv", "profile.csv", "tissue.pvd", "lumen.pvd", "scene.toml"})
+      EXPECT_TRUE(readText(folder.path() / results / file) == readText(folder.path() / reference / file))
+          << file << " differs";
+  }
+};
+
+TEST_F(Resume, AfterTenKillsAtAnyMomentTheResultsAreThoseOfTheUninterruptedRun) {
+  const std::string tiny = scene("tiny", tinyScene);
+  const ProcessEnd reference = run({"run", tiny, "-o", "reference"});
+  ASSERT_EXIT_STATUS(reference, 0);
+  std::mt19937 random(20240229);
+  std::uniform_real_distribution<double> within(0, 1);
+  int killed = 0;
+  for (int n = 0; n < 10; ++n) {
+    SCOPED_TRACE(n);
+    const std::string out = "out" + std::to_string(n);
+    Process process(command({"run", tiny, "-o", out}), folder.path());
+    if (n == 0) {
+      // The state before deployment has just been saved, so this falls into deployment on any machine.
+      sleepUntil(process, [&] { return exists(out + "/checkpoint/state.bin"); });
+    } else {
+      sleepUntilAge(process, reference.seconds * (n - 1 + within(random)) / 9);
+    }
+    process.send(SIGKILL);
+    const ProcessEnd end = process.wait(patience);
+    if (end.signal == SIGKILL) ++killed;
+    // A run that has not yet made its folder has nothing to go on from.
+    const bool begun = exists(out + "/.restenosisFoam");
+    std::vector<std::string> again = {"run", tiny, "-o", out};
+    if (begun) again.push_back("--resume");
+    ASSERT_EXIT_STATUS(run(again), 0);
+    expectSameResults(out, "reference");
+  }
+  EXPECT_GE(killed, 6) << "the machine was much faster than when the reference ran";
+}
+
+TEST_F(Resume, CtrlCSavesTheStateAndSaysHowToGoOn) {
+  const std::string tiny = scene("tiny", with(tinyScene, "deploymentSteps = 8", "deploymentSteps = 24"));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);
+  Process deploying(command({"run", tiny, "-o", "out"}), folder.path());
+  sleepUntil(deploying, [&] { return exists("out/checkpoint/state.bin"); });
+  deploying.send(SIGINT);
+  ProcessEnd end = deploying.wait(patience);
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(end.err.find("--resume"), std::string::npos) << end.err;
+  EXPECT_FALSE(exists("out/timeSeries.csv")) << "this was to fall into deployment";
+
+  Process growing(command({"run", tiny, "-o", "out", "--resume"}), folder.path());
+  sleepUntil(growing, [&] { return recorded("out") >= 4; });
+  growing.send(SIGINT);
+  end = growing.wait(patience);
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(end.err.find("--resume"), std::string::npos) << end.err;
+
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+  expectSameResults("out", "reference");
+}
+
+TEST_F(Resume, GoesOnWithAFinishedRunForLonger) {
+  const std::string tiny = scene("tiny", tinyScene);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", "scene.duration=3 d"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+  expectSameResults("out", "reference");
+}
+
+TEST_F(Resume, RefusesACheckpointThatIsDamagedOrOfAnotherScene) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"4 d\"", "\"6 h\""));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out"}), 0);
+  const auto file = folder / "out/checkpoint/state.bin";
+  const std::string intact = readText(file);
+  const auto expectRefused = [&](const std::vector<std::string>& options, const std::string& why) {
+    const auto before = contents("out");
+    std::vector<std::string> arguments = {"run", tiny, "-o", "out", "--resume"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProcessEnd end = run(arguments);
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find(why), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find("out/checkpoint/state.bin"), std::string::npos) << end.err;
+    EXPECT_EQ(std::ranges::count(end.err, '\n'), 1) << end.err;
+    EXPECT_TRUE(contents("out") == before) << "something has changed in the results";
+  };
+  for (const std::size_t place : {intact.size() / 2, intact.size() - 1, std::size_t{30}}) {
+    SCOPED_TRACE(place);
+    std::string flipped = intact;
+    flipped[place] = static_cast<char>(flipped[place] ^ 1);
+    writeText(file, flipped);
+    expectRefused({}, "damaged");
+  }
+  for (const std::size_t size : {intact.size() - 1, intact.size() / 2, std::size_t{12}}) {
+    SCOPED_TRACE(size);
+    writeText(file, intact.substr(0, size));
+    expectRefused({}, "cut off");
+  }
+  writeText(file, "something else altogether, but long enough for a header\n");
+  expectRefused({}, "not a checkpoint");
+  writeText(file, intact);
+  expectRefused({"--set", "scene.seed=2"}, "another scene");
+  expectRefused({"--set", "vessel.length=0.3 mm"}, "another scene");
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+}
+
+TEST_F(Resume, SaysWhenThereIsNothingToResume) {
+  const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "nowhere", "--resume"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(end.err.find("there is no folder nowhere"), std::string::npos) << end.err;
+  EXPECT_FALSE(exists("nowhere"));
+}
+
+}  // namespace
+}  // namespace restenosis
