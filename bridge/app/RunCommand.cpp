@@ -32,6 +32,7 @@ struct RunArguments {
   std::string folder;
   std::string flow;
   int threads = 0;
+  int ranks = 1;
   bool resume = false;
 };
 
@@ -64,6 +65,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
+                           .ranks = arguments.ranks,
                            .stopRequested = &stopRequested};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
@@ -113,6 +115,11 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--flow", arguments->flow,
                       "flow backend instead of the scene's: foam, analytic or none");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--ranks", arguments->ranks,
+                   "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "
+                   "solver's tolerance")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
   command->callback([arguments, &status] { status = tryRun(*arguments); });

@@ -139,8 +139,11 @@ void Run::buildSchedule() {
   if (scene_.stent && !world_.stent)
     world_.stent =
         Deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_).stent();
-  auto backend =
-      scene_.flow ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity}) : nullptr;
+  auto backend = scene_.flow
+                     ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
+                                                              .ranks = options_.ranks,
+                                                              .stopRequested = options_.stopRequested})
+                     : nullptr;
   if (scene_.hasTissue()) schedule_->add(std::make_unique<RelaxPart>(world_));
   if (scene_.cellCycle) schedule_->add(std::make_unique<ExposurePart>(world_));
   if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));

@@ -23,6 +23,7 @@ struct Interrupted : std::runtime_error {
 /// What `Run::go` may be told beside the scene.
 struct RunOptions {
   int threads = 1;
+  int ranks = 1;  ///< processes of the flow solver
   const std::atomic<bool>* stopRequested =
       nullptr;  ///< set by a signal: save a checkpoint and throw Interrupted
 };

@@ -77,11 +77,11 @@ TEST(FoamBackendFaults, leakingMeshIsFound) {
   const auto conditions = vesselConditions();
   const auto settings = draft();
   DictionaryText parameters(foamLog::read(folder / "system/lumenParameters"));
-  writeLumenParameters(parameters, lumen, conditions, settings, Effort::normal);
+  writeLumenParameters(parameters, lumen, conditions, settings, Effort::normal, 1);
   std::ofstream(folder / "system/lumenParameters") << parameters.text();
   writeLumenStl(leaking, 0.2e-3, folder / "constant/triSurface/lumen.stl");
   try {
-    FoamRun(folder, lumen, conditions, settings).mesh();
+    FoamRun(folder, lumen, conditions, settings, {}).mesh();
     FAIL();
   } catch (const FoamStepFailed& error) {
     EXPECT_SAYS(std::string(error.what()), "leaks");

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -11,6 +12,20 @@
 
 namespace restenosis {
 namespace {
+
+template <class Condition>
+bool until(Condition condition) {
+  for (int i = 0; i < 500 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return condition();
+}
+
+/// Gone, or dead and waiting for init.
+bool hasEnded(pid_t process) {
+  return until([&] {
+    const auto stat = readText("/proc/" + std::to_string(process) + "/stat");
+    return stat.empty() || stat.find(") Z ") != std::string::npos;
+  });
+}
 
 TEST(ExternalProgram, missingProgramIsNamed) {
   try {
@@ -58,6 +73,32 @@ TEST(ExternalProgram, missingFolderIsAnError) {
                std::runtime_error);
 }
 
+TEST(ExternalProgram, endsWithItsChildrenWhenAskedTo) {
+  const TemporaryFolder scratch;
+  const auto log = scratch.path() / "log";
+  std::atomic<bool> stop{false};
+  std::thread asking([&] {
+    until([&] { return readText(log).ends_with('\n'); });
+    stop = true;
+  });
+  const auto exit =
+      ExternalProgram("sh").stopWhen(&stop).run({"-c", "sleep 30 & echo $!; wait"}, scratch.path(), log);
+  asking.join();
+  EXPECT_TRUE(exit.stopped);
+  EXPECT_TRUE(exit.interrupted());
+  EXPECT_LT(exit.seconds, 20.0);
+  EXPECT_TRUE(hasEnded(std::stoi(readText(log))));
+}
+
+TEST(ExternalProgram, endsByItselfWhenNotAskedTo) {
+  const TemporaryFolder scratch;
+  const std::atomic<bool> stop{false};
+  const auto exit =
+      ExternalProgram("sh").stopWhen(&stop).run({"-c", "exit 3"}, scratch.path(), scratch / "log");
+  EXPECT_EQ(exit.status, 3);
+  EXPECT_FALSE(exit.stopped);
+}
+
 TEST(ExternalProgram, diesWithItsParent) {
   const TemporaryFolder scratch;
   const auto log = scratch.path() / "log";
@@ -66,20 +107,12 @@ TEST(ExternalProgram, diesWithItsParent) {
     ExternalProgram("sh").run({"-c", "echo $$; exec sleep 30"}, scratch.path(), log);
     _exit(0);
   }
-  const auto until = [](auto condition) {
-    for (int i = 0; i < 500 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return condition();
-  };
   ASSERT_TRUE(until([&] { return readText(log).ends_with('\n'); }));
   const pid_t child = std::stoi(readText(log));
   ASSERT_EQ(kill(child, 0), 0);
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
-  // Gone, or dead and waiting for init
-  EXPECT_TRUE(until([&] {
-    const auto stat = readText("/proc/" + std::to_string(child) + "/stat");
-    return stat.empty() || stat.find(") Z ") != std::string::npos;
-  }));
+  EXPECT_TRUE(hasEnded(child));
 }
 
 }  // namespace

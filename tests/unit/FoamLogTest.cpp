@@ -40,6 +40,10 @@ TEST(FoamLog, fatalErrorIsOneLine) {
   EXPECT_EQ(
       fatalError("\n--> FOAM FATAL ERROR: \nUnable to set reference cell\n    for field p\n\n    From ..."),
       "Unable to set reference cell for field p");
+  EXPECT_EQ(
+      fatalError("[1] \n[1] --> FOAM FATAL ERROR: \n[1] Cannot find patchField entry\n[1]     for sides\n"
+                 "[1] \n[1]     From ..."),
+      "Cannot find patchField entry for sides");
   EXPECT_EQ(fatalError("#1 Foam::sigFpe::sigHandler(int)\n"), "floating point exception");
   EXPECT_FALSE(fatalError("End\n"));
 }

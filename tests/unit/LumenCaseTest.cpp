@@ -23,7 +23,7 @@ TEST(LumenCase, numbersAreWrittenInMillimetres) {
   const auto settings = FoamSettings::forFidelity("draft");
   const auto lumen = measureLumen(stentedTube(vesselRadius, vesselLength, 90e-6), settings);
   auto text = templateParameters();
-  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal);
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
   const auto number = [&](const char* key) { return std::stod(text.get(key)); };
   EXPECT_NEAR(number("kinematicViscosity"), 2.7, 1e-12);
   EXPECT_NEAR(number("flowRate"), 338.4438, 1e-3);
@@ -41,7 +41,7 @@ TEST(LumenCase, robustEffortChangesMesherAndSolver) {
   const auto settings = FoamSettings::forFidelity("draft");
   const auto lumen = measureLumen(tube(vesselRadius, vesselLength), settings);
   auto text = templateParameters();
-  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::robust);
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::robust, 1);
   EXPECT_EQ(text.get("meshing"), "thorough");
   EXPECT_EQ(text.get("relaxation"), "0.6000000000000001");
   EXPECT_EQ(text.get("struts"), "no");

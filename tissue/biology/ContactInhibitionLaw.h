@@ -16,6 +16,8 @@ struct ContactNeighbour {
   double distance;  ///< length of `offset` [m]
   double radius;    ///< [m]
   AgentKind kind;
+  double facing =
+      1;  ///< cosine between `offset` and the normal of the lamina the neighbour is part of, 0 to 1
 };
 
 /// What a law may know of a cell.

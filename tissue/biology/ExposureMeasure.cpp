@@ -44,7 +44,9 @@ std::int64_t ExposureMeasure::freeDirections(double radius, std::span<const Cont
     const double distance = neighbour.distance;
     if (distance <= 0 || distance > range_ * (radius + neighbour.radius)) continue;
     const bool lamina = neighbour.kind == AgentKind::iel || neighbour.kind == AgentKind::eel;
-    const double shadow = (lamina ? laminaCover_ : cellCover_) * neighbour.radius;
+    const double sheet = lamina ? neighbour.facing * neighbour.facing : 0.0;
+    const double cover = cellCover_ + (laminaCover_ - cellCover_) * sheet;
+    const double shadow = cover * neighbour.radius;
     // Covered if direction . offset >= D cos(angle) = sqrt(D^2 - shadow^2).
     const double limit = std::sqrt(std::max(0.0, distance * distance - shadow * shadow));
     const double ox = neighbour.offset.x(), oy = neighbour.offset.y(), oz = neighbour.offset.z();

@@ -12,11 +12,13 @@ namespace restenosis {
 /// 6).
 ///
 /// A neighbour of radius R at distance D <= `exposureRange` (R1 + R2) covers the directions within the angle
-/// asin(k R / D) of its own: the shadow of a sphere of k times its radius, k = `cellCover`, for laminae,
-/// which are sheets, `laminaCover`. Where k R reaches D the shadow is the half space, so that overlap never
-/// covers what lies on the far side. A neighbour at the very centre has no direction and covers none.
-/// Directions are the `directions` points of a Fibonacci lattice on the sphere, each standing for the same
-/// solid angle.
+/// asin(k R / D) of its own: the shadow of a sphere of k times its radius, k = `cellCover`. Laminae are
+/// sheets: they hide what lies behind them, not what lies beside them. Seen at an angle t to its normal (the
+/// vessel's radius), a lamina agent has k = cellCover + (laminaCover - cellCover) cos^2 t, so that a gap in
+/// the sheet is open to the lumen although the sheet goes on around it. Where k R reaches D the shadow is the
+/// half space, so that overlap never covers what lies on the far side. A neighbour at the very centre has no
+/// direction and covers none. Directions are the `directions` points of a Fibonacci lattice on the sphere,
+/// each standing for the same solid angle.
 class ExposureMeasure {
  public:
   explicit ExposureMeasure(const ContactInhibitionParameters& parameters);

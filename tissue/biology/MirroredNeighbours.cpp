@@ -27,12 +27,18 @@ MirroredNeighbours::MirroredNeighbours(const AgentStore& agents, double range, d
       largestRadius_(largest(agents.radius)),
       grid_(agents, cellSize(agents, range)) {}
 
+double MirroredNeighbours::facing(Index j, const Vec3& offset, double distance) const {
+  const double x = agents_.x[j], y = agents_.y[j], rho = std::hypot(x, y);
+  if (rho <= 0 || distance <= 0) return 1.0;
+  return std::min(1.0, std::abs(offset.x() * x + offset.y() * y) / (rho * distance));
+}
+
 void MirroredNeighbours::gather(Index i, std::vector<ContactNeighbour>& found) const {
   found.clear();
   const double radius = agents_.radius[i];
   forEachWithin(agents_.position(i), radius, [&](Index j, const Vec3& offset, double distance) {
     if (j == i && distance < 2 * radius) return;
-    found.push_back({offset, distance, agents_.radius[j], agents_.kind[j]});
+    found.push_back({offset, distance, agents_.radius[j], agents_.kind[j], facing(j, offset, distance)});
   });
 }
 

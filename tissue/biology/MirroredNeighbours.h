@@ -34,6 +34,10 @@ class MirroredNeighbours {
   void gather(Index i, std::vector<ContactNeighbour>& found) const;
 
  private:
+  /// Cosine between `offset`, which leads to agent j, and the radius of the vessel there: the laminae's
+  /// normal.
+  double facing(Index j, const Vec3& offset, double distance) const;
+
   template <class F>
   void search(const Vec3& centre, double radius, F&& f) const {
     grid_.forEachCandidate(centre, range_ * (radius + largestRadius_), [&](Index j) {

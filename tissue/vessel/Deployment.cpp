@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "EndPlanes.h"
@@ -53,11 +54,32 @@ void Deployment::placeStent() {
 
 RelaxationReport Deployment::step() {
   ++stepsDone_;
+  const AgentStore& agents = wall_.agents;
+  std::vector<Vec3> before(agents.size());
+  for (Index i = 0; i < agents.size(); ++i) before[i] = agents.position(i);
+  continueLastMove();
   placeStent();
   const EndPlanes ends(wall_.length);
   const OuterConfinement outside(wall_.agents, wall_.cellRadius);
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};
-  return relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+  const RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+  wall_.lastMove.resize(3 * before.size());
+  for (Index i = 0; i < agents.size(); ++i) {
+    const Vec3 move = agents.position(i) - before[i];
+    std::ranges::copy(move, wall_.lastMove.begin() + 3 * i);
+  }
+  return report;
+}
+
+void Deployment::continueLastMove() {
+  // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has only the
+  // difference to find. Where that is does not change; how soon it is found does.
+  if (wall_.lastMove.size() != 3 * static_cast<std::size_t>(wall_.agents.size())) return;
+  for (Index i = 0; i < wall_.agents.size(); ++i) {
+    if (wall_.agents.kind[i] == AgentKind::strut || wall_.agents.has(i, fixed)) continue;
+    const double* move = &wall_.lastMove[3 * i];
+    wall_.agents.setPosition(i, wall_.agents.position(i) + Vec3(move[0], move[1], move[2]));
+  }
 }
 
 void Deployment::run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress) {

@@ -42,6 +42,7 @@ class Deployment {
  private:
   void attachStruts();
   void placeStent();
+  void continueLastMove();
 
   Wall& wall_;
   Stent undeployed_, stent_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "AgentStore.h"
 #include "BondTable.h"
 #include "VesselParameters.h"
@@ -15,10 +17,12 @@ struct Wall {
   double lumenRadius = 0;    ///< before stenting [m]
   double wallThickness = 0;  ///< [m]
   double cellRadius = 0;     ///< mean radius of the wall's agents [m]
+  /// How far the last deployment step moved each agent: x, y, z by agent [m]; empty before the first.
+  std::vector<double> lastMove;
 
   template <class Archive>
   void archive(Archive& a) {
-    a(agents, bonds, length, lumenRadius, wallThickness, cellRadius);
+    a(agents, bonds, length, lumenRadius, wallThickness, cellRadius, lastMove);
   }
 };
 

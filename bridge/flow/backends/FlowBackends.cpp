@@ -13,7 +13,8 @@ const std::vector<FlowBackendEntry>& flowBackends() {
   static const std::vector<FlowBackendEntry> table = {
       {flowBackendNames::foam,
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
-         return std::make_unique<FoamBackend>(FoamSettings::forFidelity(options.fidelity));
+         return std::make_unique<FoamBackend>(FoamSettings::forFidelity(options.fidelity),
+                                              FoamExecution{options.ranks, options.stopRequested});
        }},
       {flowBackendNames::analytic,
        [](const FlowBackendOptions&) -> std::unique_ptr<FlowBackend> {

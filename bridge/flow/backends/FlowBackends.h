@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,7 +12,9 @@ namespace restenosis {
 
 /// What a backend may need beside the surface and the conditions.
 struct FlowBackendOptions {
-  std::string fidelity = "standard";  ///< draft, standard or reference
+  std::string fidelity = "standard";                 ///< draft, standard or reference
+  int ranks = 1;                                     ///< processes that may work on one flow
+  const std::atomic<bool>* stopRequested = nullptr;  ///< once true, a solve under way ends by FlowFailed
 };
 
 /// The backends, each made by its name.

@@ -12,9 +12,17 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <thread>
 
 namespace restenosis {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often a request to stop is looked for, and how long a program has to end by itself after one. MPI's
+/// starter gives its processes a second before it kills them (assumed: ample).
+constexpr std::chrono::milliseconds stopLatency{5};
+constexpr std::chrono::seconds gracePeriod{5};
 
 std::filesystem::path findOnPath(const std::string& program) {
   const char* variable = std::getenv("PATH");
@@ -45,7 +53,7 @@ class Descriptor {
   int fd_;
 };
 
-/// A child process; killed and waited for unless `wait` has returned.
+/// A child process that leads a process group; killed and waited for unless `wait` has returned.
 class Child {
  public:
   explicit Child(pid_t pid) : pid_(pid) {}
@@ -53,20 +61,49 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child() {
     if (pid_ <= 0) return;
-    kill(pid_, SIGKILL);
-    wait();
+    signal(SIGKILL);
+    int status = 0;
+    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
   }
   int wait() {
-    int status = 0;
-    while (waitpid(pid_, &status, 0) < 0)
-      if (errno != EINTR)
-        throw std::runtime_error(fmt::format("waiting for a program: {}", std::strerror(errno)));
-    pid_ = -1;
-    return status;
+    while (!ended(0)) {
+    }
+    return status_;
   }
+  /// The same, ending the child once `requested` is true; says whether it had to.
+  bool waitOrStop(const std::atomic<bool>& requested) {
+    while (!requested) {
+      if (ended(WNOHANG)) return false;
+      std::this_thread::sleep_for(stopLatency);
+    }
+    signal(SIGTERM);
+    for (const auto last = Clock::now() + gracePeriod; Clock::now() < last;) {
+      if (ended(WNOHANG)) return true;
+      std::this_thread::sleep_for(stopLatency);
+    }
+    signal(SIGKILL);
+    wait();
+    return true;
+  }
+  int status() const { return status_; }
 
  private:
+  bool ended(int options) {
+    const pid_t got = waitpid(pid_, &status_, options);
+    if (got < 0 && errno != EINTR)
+      throw std::runtime_error(fmt::format("waiting for a program: {}", std::strerror(errno)));
+    if (got <= 0) return false;
+    pid_ = -1;
+    return true;
+  }
+  /// To the whole group; to the child alone where it has not made its group yet.
+  void signal(int number) const {
+    if (kill(-pid_, number) != 0) kill(pid_, number);
+  }
+
   pid_t pid_;
+  int status_ = 0;
 };
 
 std::vector<char*> pointers(const std::vector<std::string>& strings) {
@@ -97,6 +134,7 @@ std::vector<std::string> mergedEnvironment(const std::map<std::string, std::stri
   };
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) fail();
   if (getppid() != parent) _exit(127);  // the parent died before the line above
+  if (setpgid(0, 0) != 0) fail();
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -114,7 +152,9 @@ ProgramMissing::ProgramMissing(const std::string& programName)
     : std::runtime_error(fmt::format("the program '{}' is not on the PATH", programName)),
       program(programName) {}
 
-bool ProgramExit::interrupted() const { return signal == SIGINT || signal == SIGTERM || signal == SIGHUP; }
+bool ProgramExit::interrupted() const {
+  return stopped || signal == SIGINT || signal == SIGTERM || signal == SIGHUP;
+}
 
 std::string ProgramExit::describe() const {
   return signal ? fmt::format("signal {} ({})", signal, strsignal(signal))
@@ -128,10 +168,15 @@ ExternalProgram& ExternalProgram::setEnvironment(const std::string& variable, co
   return *this;
 }
 
+ExternalProgram& ExternalProgram::stopWhen(const std::atomic<bool>* requested) {
+  stopRequested_ = requested;
+  return *this;
+}
+
 ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
                                  const std::filesystem::path& folder,
                                  const std::filesystem::path& log) const {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const Descriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
   const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (output.get() < 0)
@@ -165,9 +210,13 @@ ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
     throw std::runtime_error(
         fmt::format("cannot start {} in {}: {}", path_.string(), folder.string(), std::strerror(error)));
 
-  const int status = child.wait();
   ProgramExit result;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (stopRequested_)
+    result.stopped = child.waitOrStop(*stopRequested_);
+  else
+    child.wait();
+  const int status = child.status();
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (WIFSIGNALED(status))
     result.signal = WTERMSIG(status);
   else

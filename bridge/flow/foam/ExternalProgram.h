@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -18,16 +19,19 @@ struct ProgramMissing : std::runtime_error {
 struct ProgramExit {
   int status = 0;        ///< exit status; meaningless when a signal ended the program
   int signal = 0;        ///< the signal that ended it, 0 for none
+  bool stopped = false;  ///< it was asked to end by ExternalProgram::stopWhen
   double seconds = 0.0;  ///< wall clock
   bool succeeded() const { return signal == 0 && status == 0; }
-  /// The user or the system asked for the end (SIGINT, SIGTERM, SIGHUP), so trying again would be wrong.
+  /// The user or the system asked for the end (stopWhen, or SIGINT, SIGTERM, SIGHUP to the program itself),
+  /// so trying again would be wrong.
   bool interrupted() const;
   /// "exit status 1", "signal 9 (Killed)".
   std::string describe() const;
 };
 
 /// Another program, run as a process without a shell. It dies with this program, and is killed and waited for
-/// when an exception leaves `run`.
+/// when an exception leaves `run`. It has a process group of its own, so that Ctrl-C reaches this program
+/// alone, which then decides what becomes of the other: see stopWhen.
 class ExternalProgram {
  public:
   /// Finds the program on the PATH. Throws ProgramMissing.
@@ -35,6 +39,9 @@ class ExternalProgram {
 
   /// Adds or replaces a variable of the program's environment, the rest of which is this program's.
   ExternalProgram& setEnvironment(const std::string& variable, const std::string& value);
+
+  /// Ends the program, with SIGTERM and later SIGKILL, once `requested` is true. Null: never.
+  ExternalProgram& stopWhen(const std::atomic<bool>* requested);
 
   /// Runs it in `folder`, standard output and error going to `log` (replaced), standard input empty, and
   /// waits for its end. Throws std::runtime_error where it cannot be started.
@@ -46,6 +53,7 @@ class ExternalProgram {
  private:
   std::filesystem::path path_;
   std::map<std::string, std::string> environment_;
+  const std::atomic<bool>* stopRequested_ = nullptr;
 };
 
 }  // namespace restenosis

@@ -27,41 +27,6 @@ void writeText(const fs::path& file, const std::string& text) {
   if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }
 
-/// A fresh case folder for one attempt; the logs of an earlier one are kept.
-void prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-             const FlowConditions& conditions, const FoamSettings& settings, Effort effort) {
-  std::vector<std::pair<fs::path, std::string>> kept;
-  if (effort == Effort::robust)
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().filename().string().starts_with("log."))
-        kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
-  copyFoamTemplate(foamTemplate(), folder);
-  if (!kept.empty()) fs::create_directories(folder / "firstAttempt");
-  for (const auto& [name, text] : kept) writeText(folder / "firstAttempt" / name, text);
-
-  const auto file = folder / "system/lumenParameters";
-  DictionaryText parameters(foamLog::read(file));
-  writeLumenParameters(parameters, lumen, conditions, settings, effort);
-  writeText(file, parameters.text());
-  writeLumenStl(surface, overshootCells * settings.cellSize, folder / "constant/triSurface/lumen.stl");
-  writeText(folder / "case.foam", "");
-}
-
-FlowSolution attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                     const FlowConditions& conditions, const FoamSettings& settings, Effort effort) {
-  try {
-    prepare(folder, surface, lumen, conditions, settings, effort);
-    FoamRun run(folder, lumen, conditions, settings);
-    run.mesh();
-    run.solve();
-    return run.result();
-  } catch (const FlowFailed&) {
-    throw;
-  } catch (const std::exception& error) {  // files that cannot be written or copied
-    throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
-  }
-}
-
 }  // namespace
 
 std::string_view FoamBackend::name() const { return flowBackendNames::foam; }
@@ -76,19 +41,54 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
   const fs::path folder = fs::absolute(caseFolder);
   try {
-    return attempt(folder, lumen, shape, conditions, settings_, Effort::normal);
+    return attempt(folder, lumen, shape, conditions, Effort::normal);
   } catch (const FoamStepFailed& first) {
     try {
-      FlowSolution solution = attempt(folder, lumen, shape, conditions, settings_, Effort::robust);
+      FlowSolution solution = attempt(folder, lumen, shape, conditions, Effort::robust);
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.what()));
       return solution;
-    } catch (const FoamStepFailed& second) {
+    } catch (const FlowFailed& second) {
+      const fs::path former = folder / "firstAttempt" / first.log.filename();
       throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
                                    second.what(), first.what()),
-                       second.log);
+                       second.log.empty() ? former : second.log);
     }
+  }
+}
+
+void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
+                          const FlowConditions& conditions, Effort effort) const {
+  std::vector<std::pair<fs::path, std::string>> kept;
+  if (effort == Effort::robust)
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().filename().string().starts_with("log."))
+        kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
+  copyFoamTemplate(foamTemplate(), folder);
+  if (!kept.empty()) fs::create_directories(folder / "firstAttempt");
+  for (const auto& [name, text] : kept) writeText(folder / "firstAttempt" / name, text);
+
+  const auto file = folder / "system/lumenParameters";
+  DictionaryText parameters(foamLog::read(file));
+  writeLumenParameters(parameters, lumen, conditions, settings_, effort, execution_.ranks);
+  writeText(file, parameters.text());
+  writeLumenStl(surface, overshootCells * settings_.cellSize, folder / "constant/triSurface/lumen.stl");
+  writeText(folder / "case.foam", "");
+}
+
+FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
+                                  const FlowConditions& conditions, Effort effort) const {
+  try {
+    prepare(folder, surface, lumen, conditions, effort);
+    FoamRun run(folder, lumen, conditions, settings_, execution_);
+    run.mesh();
+    run.solve();
+    return run.result();
+  } catch (const FlowFailed&) {
+    throw;
+  } catch (const std::exception& error) {  // files that cannot be written or copied
+    throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "FlowBackend.h"
+#include "FoamExecution.h"
 #include "FoamSettings.h"
+#include "LumenCase.h"
 
 namespace restenosis {
 
@@ -15,13 +17,21 @@ namespace restenosis {
 /// Then FlowFailed names the step, the reason and the log.
 class FoamBackend : public FlowBackend {
  public:
-  explicit FoamBackend(const FoamSettings& settings) : settings_(settings) {}
+  explicit FoamBackend(const FoamSettings& settings, const FoamExecution& execution = {})
+      : settings_(settings), execution_(execution) {}
   std::string_view name() const override;
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
 
  private:
+  FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
+                       const FlowConditions& conditions, Effort effort) const;
+  /// A fresh case folder for one attempt; the logs of an earlier one are kept.
+  void prepare(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
+               const FlowConditions& conditions, Effort effort) const;
+
   FoamSettings settings_;
+  FoamExecution execution_;
 };
 
 }  // namespace restenosis

@@ -16,6 +16,13 @@ std::optional<std::string> after(const std::string& text, std::string_view words
   return text.substr(start, std::min(text.find('\n', start), text.size()) - start);
 }
 
+/// Where a line begins behind the "[1] " that a parallel program puts before its errors.
+std::size_t afterRank(const std::string& line) {
+  if (!line.starts_with('[')) return 0;
+  const auto end = line.find_first_not_of("0123456789", 1);
+  return end != std::string::npos && end > 1 && line[end] == ']' ? end + 1 : 0;
+}
+
 }  // namespace
 
 std::string read(const std::filesystem::path& file) {
@@ -25,7 +32,8 @@ std::string read(const std::filesystem::path& file) {
 
 std::optional<std::string> meshingProblem(const std::string& snappyLog) {
   if (snappyLog.find("Finished meshing without any errors") != std::string::npos) return std::nullopt;
-  if (const auto rest = after(snappyLog, "Finished meshing with ")) return std::string("finished meshing with ").append(*rest);
+  if (const auto rest = after(snappyLog, "Finished meshing with "))
+    return std::string("finished meshing with ").append(*rest);
   return "did not finish meshing";
 }
 
@@ -62,7 +70,7 @@ std::optional<std::string> fatalError(const std::string& log) {
   std::istringstream lines(log.substr(log.find('\n', at) + 1));
   std::string reason;
   for (std::string line; std::getline(lines, line) && reason.size() < 300;) {
-    const auto start = line.find_first_not_of(" \t");
+    const auto start = line.find_first_not_of(" \t", afterRank(line));
     if (start == std::string::npos) {
       if (!reason.empty()) break;
       continue;

@@ -28,7 +28,7 @@ MeshReport meshReport(const std::string& checkMeshLog);
 /// Iterations after which "SIMPLE solution converged".
 std::optional<int> convergedAfter(const std::string& solverLog);
 
-/// The reason of a fatal error, on one line, where the log has one.
+/// The reason of a fatal error, on one line, where the log (of a serial or parallel program) has one.
 std::optional<std::string> fatalError(const std::string& log);
 
 /// Faces of each patch, from constant/polyMesh/boundary.

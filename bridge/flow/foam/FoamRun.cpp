@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 
-#include "ExternalProgram.h"
 #include "FoamLog.h"
 #include "WallPatch.h"
 
@@ -19,25 +17,29 @@ constexpr double squareMillimetre = 1e-6;
 }  // namespace
 
 FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& conditions,
-                 const FoamSettings& settings)
-    : folder_(std::move(folder)), lumen_(lumen), conditions_(conditions), settings_(settings) {}
+                 const FoamSettings& settings, const FoamExecution& execution)
+    : folder_(std::move(folder)),
+      lumen_(lumen),
+      conditions_(conditions),
+      settings_(settings),
+      execution_(execution) {}
 
 void FoamRun::fail(const std::string& program, const std::string& reason) const {
   throw FoamStepFailed(fmt::format("{}: {} (see {})", program, reason, log(program).string()), log(program));
 }
 
-void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments) {
+void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments, On on) {
   ProgramExit exit;
   try {
-    ExternalProgram external(program);
-    if (!std::getenv("WM_PROJECT_DIR")) external.setEnvironment("WM_PROJECT_DIR", "/usr/share/openfoam");
-    exit = external.run(arguments, folder_, log(program));
-  } catch (const ProgramMissing&) {
-    throw FlowFailed(
-        fmt::format("the OpenFOAM program '{}' is not on the PATH; it is part of the Debian package "
-                    "'openfoam' (apt install openfoam)",
-                    program),
-        {});
+    const auto start = on == On::allRanks ? runFoamOnRanks : runFoam;
+    exit = start(program, arguments, execution_, folder_, log(program));
+  } catch (const ProgramMissing& missing) {
+    const bool mpi = missing.program != program;
+    throw FlowFailed(fmt::format("the {} program '{}' is not on the PATH; it is part of the Debian package "
+                                 "'{package}' (apt install {package})",
+                                 mpi ? "MPI" : "OpenFOAM", missing.program,
+                                 fmt::arg("package", mpi ? "openmpi-bin" : "openfoam")),
+                     {});
   } catch (const std::runtime_error& error) {
     throw FlowFailed(fmt::format("{}: {}", program, error.what()), log(program));
   }
@@ -49,13 +51,22 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
   fail(program, reason ? fmt::format("{}: {}", exit.describe(), *reason) : exit.describe());
 }
 
+std::vector<fs::path> FoamRun::parts() const {
+  if (!execution_.parallel()) return {folder_};
+  std::vector<fs::path> folders;
+  for (int rank = 0; rank < execution_.ranks; ++rank)
+    folders.push_back(folder_ / fmt::format("processor{}", rank));
+  return folders;
+}
+
 void FoamRun::mesh() {
-  run("blockMesh", {});
-  run("snappyHexMesh", {"-overwrite"});
+  run("blockMesh", {}, On::oneProcess);
+  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
+  run("snappyHexMesh", {"-overwrite"}, On::allRanks);
   if (const auto problem = foamLog::meshingProblem(foamLog::read(log("snappyHexMesh"))))
     fail("snappyHexMesh", *problem);
   checkPatches();
-  run("checkMesh", {});
+  run("checkMesh", {}, On::allRanks);
   const auto report = foamLog::meshReport(foamLog::read(log("checkMesh")));
   const double volume = report.volume * cubicMillimetre;
   if (!(std::abs(volume - lumen_.volume) <= settings_.volumeTolerance * lumen_.volume))
@@ -69,7 +80,10 @@ void FoamRun::mesh() {
 }
 
 void FoamRun::checkPatches() {
-  auto faces = foamLog::patchFaces(foamLog::read(folder_ / "constant/polyMesh/boundary"));
+  std::map<std::string, std::size_t> faces;
+  for (const auto& part : parts())
+    for (const auto& [patch, count] : foamLog::patchFaces(foamLog::read(part / "constant/polyMesh/boundary")))
+      faces[patch] += count;
   if (faces["sides"] > 0)
     fail("snappyHexMesh",
          fmt::format("the lumen surface leaks: {} faces of the mesh lie outside of it", faces["sides"]));
@@ -85,14 +99,17 @@ void FoamRun::checkPatches() {
 
 void FoamRun::solve() {
   fs::remove_all(folder_ / "postProcessing");
-  fs::remove_all(folder_ / "0");
-  fs::copy(folder_ / "0.orig", folder_ / "0", fs::copy_options::recursive);
-  run("simpleFoam", {});
+  for (const auto& part : parts()) {
+    fs::remove_all(part / "0");
+    fs::copy(folder_ / "0.orig", part / "0", fs::copy_options::recursive);
+  }
+  run("simpleFoam", {}, On::allRanks);
   const auto iterations = foamLog::convergedAfter(foamLog::read(log("simpleFoam")));
   if (!iterations) fail("simpleFoam", "the solution has not converged within the iterations allowed");
   solution_.iterations = *iterations;
   checkFlow();
   readWall();
+  if (execution_.parallel()) putTogether();
 }
 
 double FoamRun::reported(const std::string& function) const {
@@ -129,6 +146,13 @@ void FoamRun::readWall() {
   } catch (const std::runtime_error& error) {
     fail("simpleFoam", error.what());
   }
+}
+
+void FoamRun::putTogether() {
+  run("reconstructParMesh", {"-constant"}, On::oneProcess);
+  run("reconstructPar", {"-latestTime"}, On::oneProcess);
+  fs::copy(folder_ / "0.orig", folder_ / "0", fs::copy_options::recursive);
+  for (const auto& part : parts()) fs::remove_all(part);
 }
 
 }  // namespace restenosis

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "FlowBackend.h"
+#include "FoamExecution.h"
 #include "FoamSettings.h"
 #include "LumenCase.h"
 
@@ -16,11 +17,12 @@ struct FoamStepFailed : FlowFailed {
 
 /// One attempt at a case: runs OpenFOAM's programs in a folder that holds a filled template, and checks what
 /// each has done. The steps throw FoamStepFailed, or FlowFailed where another attempt would be vain: a
-/// program missing, an interruption, a closed lumen.
+/// program missing, an interruption, a closed lumen. On several ranks the case is decomposed before
+/// snappyHexMesh and put together again after simpleFoam, so that what is left opens like a serial one.
 class FoamRun {
  public:
   FoamRun(std::filesystem::path folder, const LumenCase& lumen, const FlowConditions& conditions,
-          const FoamSettings& settings);
+          const FoamSettings& settings, const FoamExecution& execution);
   /// blockMesh, snappyHexMesh, checkMesh; the mesh as expected.
   void mesh();
   /// simpleFoam; the solution as expected.
@@ -29,18 +31,23 @@ class FoamRun {
   FlowSolution result() const { return solution_; }
 
  private:
-  void run(const std::string& program, const std::vector<std::string>& arguments);
+  enum class On { oneProcess, allRanks };
+  void run(const std::string& program, const std::vector<std::string>& arguments, On on);
+  /// The folders with the mesh and the fields: those of the ranks, or the case itself.
+  std::vector<std::filesystem::path> parts() const;
   std::filesystem::path log(const std::string& program) const { return folder_ / ("log." + program); }
   [[noreturn]] void fail(const std::string& program, const std::string& reason) const;
   void checkPatches();
   void checkFlow();
   void readWall();
+  void putTogether();
   double reported(const std::string& function) const;
 
   std::filesystem::path folder_;
   const LumenCase& lumen_;
   const FlowConditions& conditions_;
   const FoamSettings& settings_;
+  const FoamExecution& execution_;
   FlowSolution solution_;
 };
 

@@ -62,7 +62,8 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
 }
 
 void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
-                          const FlowConditions& conditions, const FoamSettings& settings, Effort effort) {
+                          const FlowConditions& conditions, const FoamSettings& settings, Effort effort,
+                          int ranks) {
   const auto length = [&](std::string_view key, double metres) { parameters.set(key, metres * perMetre); };
   const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
   parameters.set("kinematicViscosity", conditions.kinematicViscosity * perMetre * perMetre);
@@ -101,6 +102,7 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
   const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
   parameters.set("iterations", std::to_string(robust ? 2 * iterations : iterations));
   parameters.set("tolerance", settings.tolerance);
+  parameters.set("ranks", std::to_string(ranks));
   parameters.set("relaxation", robust ? 0.75 * settings.relaxation : settings.relaxation);
 }
 

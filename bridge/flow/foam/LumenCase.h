@@ -27,6 +27,7 @@ enum class Effort { normal, robust };
 
 /// Writes the case's numbers into its dictionary (system/lumenParameters; mm and s).
 void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
-                          const FlowConditions& conditions, const FoamSettings& settings, Effort effort);
+                          const FlowConditions& conditions, const FoamSettings& settings, Effort effort,
+                          int ranks);
 
 }  // namespace restenosis

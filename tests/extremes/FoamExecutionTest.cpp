@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include "FileSizeLimit.h"
+#include "FlowSupport.h"
+#include "FoamBackend.h"
+#include "OpenFoamPresent.h"
+#include "TemporaryFolder.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+#define EXPECT_SAYS(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)
+
+struct Failure {
+  std::string message;  ///< empty where the flow did not fail
+  fs::path log;
+};
+
+Failure failure(const FoamSettings& settings, const FoamExecution& execution, const fs::path& folder) {
+  try {
+    FoamBackend(settings, execution).solve(tube(vesselRadius, vesselLength), vesselConditions(), folder);
+  } catch (const FlowFailed& error) {
+    return {error.what(), error.log};
+  }
+  return {};
+}
+
+/// A solve that does not end by itself within the time of a test.
+FoamSettings endless() {
+  FoamSettings settings = FoamSettings::forFidelity("draft");
+  settings.tolerance = 1e-30;
+  settings.iterations = 1000000;
+  return settings;
+}
+
+/// The processes of this name that work in a folder or below it.
+std::vector<pid_t> processesIn(const fs::path& folder, const std::string& name) {
+  std::vector<pid_t> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::error_code error;
+    const auto cwd = fs::read_symlink(entry.path() / "cwd", error);
+    if (!error && cwd.string().starts_with(folder.string()) && readText(entry.path() / "comm") == name + '\n')
+      found.push_back(std::stoi(entry.path().filename().string()));
+  }
+  return found;
+}
+
+/// Calls `act` again and again while a log holds some words, until it is destroyed.
+class During {
+ public:
+  template <class Act>
+  During(const fs::path& log, const std::string& words, Act act)
+      : thread_([this, log, words, act] {
+          while (!done_) {
+            if (readText(log).find(words) != std::string::npos) act();
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+          }
+        }) {}
+  ~During() {
+    done_ = true;
+    thread_.join();
+  }
+  During(const During&) = delete;
+  During& operator=(const During&) = delete;
+
+ private:
+  std::atomic<bool> done_{false};
+  std::thread thread_;
+};
+
+/// In a log of simpleFoam: it is in mid-solve.
+const std::string midSolve = "\nTime = 5\n";
+
+class FoamExecutionFaults : public ::testing::TestWithParam<int> {};
+
+TEST_P(FoamExecutionFaults, solverKilledInMidSolveIsNamedWithItsLog) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  Failure found;
+  {
+    const During killing(scratch / "case/log.simpleFoam", midSolve, [&] {
+      const auto solvers = processesIn(scratch.path(), "simpleFoam");
+      if (!solvers.empty()) kill(solvers.back(), SIGKILL);
+    });
+    found = failure(endless(), {.ranks = GetParam()}, scratch / "case");
+  }
+  EXPECT_SAYS(found.message, "simpleFoam: signal 9 (Killed)");
+  EXPECT_SAYS(found.message, "a first attempt");
+  EXPECT_EQ(found.log, scratch / "case/log.simpleFoam");
+  EXPECT_TRUE(fs::exists(found.log));
+  EXPECT_TRUE(processesIn(scratch.path(), "simpleFoam").empty());
+}
+
+TEST_P(FoamExecutionFaults, requestToStopEndsTheSolveAtOnceAndForGood) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  std::atomic<bool> stop{false};
+  Failure found;
+  {
+    const During stopping(scratch / "case/log.simpleFoam", midSolve, [&] { stop = true; });
+    found = failure(endless(), {.ranks = GetParam(), .stopRequested = &stop}, scratch / "case");
+  }
+  EXPECT_SAYS(found.message, "simpleFoam was interrupted");
+  EXPECT_EQ(found.message.find("first attempt"), std::string::npos);
+  EXPECT_TRUE(processesIn(scratch.path(), "simpleFoam").empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, FoamExecutionFaults, ::testing::Values(1, 2));
+
+/// From when on files end at a size, and what cannot be written then.
+struct DiskFull {
+  const char* log;  ///< exists; programs that start from now on inherit the limit
+  rlim_t bytes;
+  const char* words;
+};
+class FoamDiskFull : public ::testing::TestWithParam<DiskFull> {};
+
+TEST_P(FoamDiskFull, isNoResultAndNamesTheStep) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  std::unique_ptr<FileSizeLimit> disk;
+  Failure found;
+  {
+    const During filling(scratch.path() / GetParam().log, "", [&] {
+      if (!disk && fs::exists(scratch.path() / GetParam().log))
+        disk = std::make_unique<FileSizeLimit>(GetParam().bytes);
+    });
+    found = failure(FoamSettings::forFidelity("draft"), {}, scratch / "case");
+  }
+  disk.reset();
+  EXPECT_SAYS(found.message, GetParam().words);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, FoamDiskFull,
+                         ::testing::Values(DiskFull{"", 20000, "lumen.stl"},
+                                           DiskFull{"case/log.blockMesh", 300000, "snappyHexMesh"},
+                                           DiskFull{"case/log.checkMesh", 100000, "simpleFoam"}));
+
+TEST(FoamExecution, missingMpirunNamesItsPackage) {
+  const TemporaryFolder scratch;
+  fs::create_directories(scratch / "bin");
+  for (const char* program : {"blockMesh", "decomposePar", "snappyHexMesh"}) {
+    writeText(scratch.path() / "bin" / program, "#!/bin/sh\n");
+    fs::permissions(scratch.path() / "bin" / program, fs::perms::owner_all);
+  }
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", (scratch / "bin").c_str(), 1);
+  const auto found = failure(FoamSettings::forFidelity("draft"), {.ranks = 2}, scratch / "case");
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_SAYS(found.message, "'mpirun'");
+  EXPECT_SAYS(found.message, "apt install openmpi-bin");
+}
+
+}  // namespace
+}  // namespace restenosis
