@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "BenchCommand.h"
 #include "CheckCommand.h"
 #include "ExitStatus.h"
 #include "RunCommand.h"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   addRunCommand(app, status);
   addCheckCommand(app, status);
   addSchemaCommand(app, status);
+  addBenchCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

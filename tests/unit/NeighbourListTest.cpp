@@ -72,5 +72,57 @@ TEST(NeighbourList, AsksForARebuildOnceAPairCouldBeMissing) {
   EXPECT_TRUE(list.needsRebuild(agents));
 }
 
+TEST(NeighbourList, KeepsEveryPairInRangeWhileAgentsMoveGrowAndCome) {
+  AgentStore agents = mixed(1500, 2);
+  const NeighbourRange range{.factor = 1, .daughterFactor = 1.3, .skin = 2e-6};
+  NeighbourList list;
+  list.update(agents, range);
+  RandomStream random(7, 0, 0, RandomPurpose::packing);
+  for (int step = 0; step < 30; ++step) {
+    for (Index i = 0; i < agents.size(); ++i) {
+      // Most creep, some jump; some grow, one of them shrinks as a dividing cell does.
+      const double move = i % 50 == static_cast<Index>(step) ? 3e-6 : 0.03e-6;
+      agents.setPosition(i, agents.position(i) + move * random.direction());
+      if (i % 9 == 0) agents.radius[i] *= 1.01;
+    }
+    agents.radius[step] *= 0.7;
+    agents.set(10 + step, AgentFlag::daughter, step % 2 == 0);
+    if (step % 3 == 0) agents.append(AgentKind::smc, agents.position(40 + step), 1.5e-6);
+    list.update(agents, range);
+    ASSERT_EQ(list.size(), agents.size());
+    const NeighbourRange contact{.factor = 1, .daughterFactor = 1.3, .skin = 0};
+    for (Index i = 0; i < agents.size(); i += 7) {
+      const auto row = list.of(i);
+      ASSERT_EQ(std::ranges::adjacent_find(row, std::ranges::greater_equal()), row.end());
+      ASSERT_TRUE(std::ranges::includes(row, inRange(agents, contact, i))) << step << ' ' << i;
+    }
+  }
+}
+
+TEST(NeighbourList, StartsAnewForOtherAgents) {
+  const NeighbourRange range{.skin = 1e-6};
+  AgentStore agents = mixed(300, 2);
+  NeighbourList list, fresh;
+  list.update(agents, range);
+  std::vector<Index> order(agents.size());
+  for (Index k = 0; k < agents.size(); ++k) order[k] = agents.size() - 1 - k;
+  agents.reorder(order);
+  list.update(agents, range);
+  fresh.build(agents, range);
+  for (Index i = 0; i < agents.size(); ++i) ASSERT_TRUE(std::ranges::equal(list.of(i), fresh.of(i)));
+  std::vector<std::uint8_t> remove(agents.size(), 0);
+  remove[12] = 1;
+  agents.erase(remove);
+  list.update(agents, range);
+  fresh.build(agents, range);
+  for (Index i = 0; i < agents.size(); ++i) ASSERT_TRUE(std::ranges::equal(list.of(i), fresh.of(i)));
+  agents.x[3] = std::nan("");
+  EXPECT_THROW(list.update(agents, range), std::invalid_argument);
+  agents.x[3] = 0;
+  list.update(agents, range);
+  fresh.build(agents, range);
+  for (Index i = 0; i < agents.size(); ++i) ASSERT_TRUE(std::ranges::equal(list.of(i), fresh.of(i)));
+}
+
 }  // namespace
 }  // namespace restenosis

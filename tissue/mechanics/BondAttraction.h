@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Lanes.h"
+
 namespace restenosis {
 
 /// Pull of a bond (form and constant: ISR3D): F = k strain (R1 + R2)^2 [N], strain = (distance - rest) /
@@ -17,6 +19,13 @@ struct BondAttraction {
   /// Slope of the pull while the bond is stretched [N/m].
   double stiffness(double rest, double sum, double axialCosine2) const {
     return modulus * (1 + (axialFactor - 1) * axialCosine2) * sum * sum / rest;
+  }
+  /// Both for several bonds at once.
+  template <int n>
+  void evaluate(const Numbers<n>& distance, const Numbers<n>& rest, const Numbers<n>& sum,
+                const Numbers<n>& axialCosine2, Numbers<n>& pulls, Numbers<n>& slopes) const {
+    slopes = modulus * (1.0 + (axialFactor - 1) * axialCosine2) * sum * sum / rest;
+    pulls = slopes * (distance - rest).max(0.0);
   }
   /// Energy of a bond across the axis [J].
   double energy(double distance, double rest, double sum) const {

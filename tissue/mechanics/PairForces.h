@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "BondAttraction.h"
 #include "Chunks.h"
@@ -103,14 +104,27 @@ class PairForces {
       law_.evaluate(Lanes((sum - distance).max(0.0)), Lanes(product / sum), push, stiffness);
     };
     PairBatch batch;
-    for (const Index j : in_.neighbours.of(i)) {
-      const Sphere& other = in_.spheres[j];
-      const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
-      const double sum = self.r + other.r, distance2 = dx * dx + dy * dy + dz * dz;
-      batch.add(distance2 < sum * sum, dx, dy, dz, distance2, sum, self.r * other.r, i < j);
-      if (batch.full()) batch.flush(load, contact);
+    std::array<Index, PairBatch::capacity> touching;
+    const std::span<const Index> near = in_.neighbours.of(i);
+    for (std::size_t begin = 0; begin < near.size(); begin += touching.size()) {
+      // Most listed agents do not touch: they are sorted out without a branch, and before anything is stored.
+      const auto piece = near.subspan(begin, std::min(touching.size(), near.size() - begin));
+      int count = 0;
+      for (const Index j : piece) {
+        const Sphere& other = in_.spheres[j];
+        const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
+        const double sum = self.r + other.r;
+        touching[count] = j;
+        count += dx * dx + dy * dy + dz * dz < sum * sum;
+      }
+      for (int k = 0; k < count; ++k) {
+        const Index j = touching[k];
+        const Sphere& other = in_.spheres[j];
+        const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
+        batch.add(true, dx, dy, dz, dx * dx + dy * dy + dz * dz, self.r + other.r, self.r * other.r, i < j);
+      }
+      batch.flush(load, contact);
     }
-    batch.flush(load, contact);
   }
 
   void addCohesion(Index i, const Sphere& self, AgentLoad& load) const {
@@ -140,11 +154,11 @@ class PairForces {
     if (attraction_.modulus == 0) return;
     const auto bond = [this](const Lanes& distance, const Lanes& dz, const Lanes& rest, const Lanes& sum,
                              Lanes& push, Lanes& stiffness) {
-      for (int k = 0; k < laneCount; ++k) {
-        const double cosine = dz[k] / distance[k];
-        push[k] = -attraction_.pull(distance[k], rest[k], sum[k], cosine * cosine);
-        stiffness[k] = attraction_.stiffness(rest[k], sum[k], cosine * cosine);
-      }
+      // Where the direction does not matter the division is saved: the result is the same.
+      const Lanes cosine = attraction_.axialFactor == 1 ? Lanes(0.0) : Lanes(dz / distance);
+      Lanes pull;
+      attraction_.evaluate(distance, rest, sum, Lanes(cosine * cosine), pull, stiffness);
+      push = -pull;
     };
     PairBatch batch;
     for (const Bond& b : in_.bonds.of(i)) {

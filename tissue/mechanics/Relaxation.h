@@ -51,6 +51,7 @@ class Relaxation {
   ForceField field_;
   double referenceRadius_;
   double characteristicForce_;
+  NeighbourList neighbours_;  ///< kept between relaxations: speed only, no part of the state
 };
 
 }  // namespace restenosis

@@ -11,10 +11,6 @@
 namespace restenosis {
 namespace {
 
-// How far beyond contact the neighbour list looks, over the largest radius. Speed only: results do not depend
-// on it.
-constexpr double skinOverRadius = 0.4;
-
 struct Any {
   bool found = false;
   Index agent = 0;
@@ -45,13 +41,15 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
 
 RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
                                std::span<const Constraint* const> constraints, const ForceField& field,
-                               double softest, double tolerance)
+                               double softest, double tolerance, NeighbourList& neighbours, double skin)
     : agents_(agents),
       bonds_(bonds),
       constraints_(constraints),
       field_(field),
       softest_(softest),
       tolerance_(tolerance),
+      neighbours_(neighbours),
+      range_(field.range(skin)),
       load_(agents.size()),
       force_(agents.size(), Vec3::Zero()),
       stiffness_(agents.size(), softest),
@@ -68,7 +66,7 @@ RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
     forEachInChunks(free_.size(),
                     [&](std::size_t k) { place(free_[k], projected(free_[k], agents_.position(free_[k]))); });
   }
-  buildNeighbours();
+  neighbours_.update(agents_, range_);
   evaluate(free_);
   std::vector<Index> restless;
   std::ranges::copy_if(free_, std::back_inserter(restless),
@@ -88,11 +86,6 @@ Vec3 RelaxingAgents::projected(Index i, Vec3 position) const {
 void RelaxingAgents::place(Index i, const Vec3& position) {
   agents_.setPosition(i, position);
   spheres_[i].x = position.x(), spheres_[i].y = position.y(), spheres_[i].z = position.z();
-}
-
-void RelaxingAgents::buildNeighbours() {
-  const double largestRadius = agents_.size() == 0 ? 0 : *std::ranges::max_element(agents_.radius);
-  neighbours_.build(agents_, field_.range(skinOverRadius * largestRadius));
 }
 
 void RelaxingAgents::evaluate(std::span<const Index> subset) {
@@ -124,7 +117,7 @@ void RelaxingAgents::advance(Minimiser& minimiser) {
     place(i, position);
     if (!part.found && neighbours_.movedTooFar(i, position)) part = {true, i};
   });
-  if (far.found) buildNeighbours();
+  if (far.found) neighbours_.update(agents_, range_);
   evaluate(awake_);
 }
 

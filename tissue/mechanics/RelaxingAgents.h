@@ -18,9 +18,11 @@ namespace restenosis {
 class RelaxingAgents {
  public:
   /// Projects every free agent onto its constraints, computes all forces and wakes the agents above
-  /// `tolerance` [N].
+  /// `tolerance` [N]. `neighbours` is brought up to date, at little cost where it is nearly so; `skin` [m] is
+  /// how far beyond contact it looks.
   RelaxingAgents(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
-                 const ForceField& field, double softest, double tolerance);
+                 const ForceField& field, double softest, double tolerance, NeighbourList& neighbours,
+                 double skin);
 
   /// One step of the awake agents, then the forces on them.
   void advance(Minimiser& minimiser);
@@ -45,7 +47,6 @@ class RelaxingAgents {
   bool isFree(Index i) const;
   Vec3 projected(Index i, Vec3 position) const;
   void place(Index i, const Vec3& position);
-  void buildNeighbours();
   void evaluate(std::span<const Index> subset);
   void wake(const std::vector<Index>& sleepers);
 
@@ -56,7 +57,8 @@ class RelaxingAgents {
   double softest_;    ///< least stiffness an agent is given [N/m]
   double tolerance_;  ///< [N]
 
-  NeighbourList neighbours_;
+  NeighbourList& neighbours_;
+  NeighbourRange range_;
   std::vector<Sphere> spheres_;
   std::vector<AgentLoad> load_;
   std::vector<Vec3> force_;        ///< what constraints leave of the load

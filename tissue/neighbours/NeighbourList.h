@@ -13,37 +13,65 @@ struct NeighbourRange {
   double factor = 1;          ///< of pairs in general
   double daughterFactor = 1;  ///< of pairs with at least one daughter, which cohere across a gap
   double skin = 0;            ///< [m]; how far two agents together may move before the list misses a pair
+
+  bool operator==(const NeighbourRange&) const = default;
 };
 
 /// Verlet list: for each agent all others in range, in ascending order, so that a sum over an agent's
 /// neighbours has one order whichever list within the skin it is taken from. Each pair stands at both of its
 /// agents.
+///
+/// The list is that of the agents as they stood when they were last looked up, each at its own time: their
+/// anchors. It holds every pair in range as long as no agent's move plus growth (times the range's factor)
+/// exceeds half the skin.
 class NeighbourList {
  public:
   /// Makes the list, in parallel. Throws std::invalid_argument naming the agent when a position is not
   /// finite.
   void build(const AgentStore& agents, const NeighbourRange& range);
 
+  /// Makes the list hold every pair in range again at the least cost: looks up only the agents that were
+  /// appended, went or grew far, or became daughters, and builds anew where those are many or agents were
+  /// removed or reordered. Throws as build does.
+  void update(const AgentStore& agents, const NeighbourRange& range);
+
   std::span<const Index> of(Index i) const {
     return {neighbours_.data() + start_[i], neighbours_.data() + start_[i + 1]};
   }
-  Index size() const { return start_.empty() ? 0 : static_cast<Index>(start_.size() - 1); }
+  Index size() const { return static_cast<Index>(anchors_.size()); }
   std::size_t pairCount() const { return neighbours_.size() / 2; }
 
-  /// Where agent i was when the list was made [m].
-  const Vec3& positionAtBuild(Index i) const { return positions_[i]; }
-  /// True if agent i has gone so far that, with another that has gone as far, a pair may be missing.
+  /// True if agent i has gone so far that, with another that has gone as far, a pair may be missing. Radii
+  /// are those of the last build or update.
   bool movedTooFar(Index i, const Vec3& position) const {
-    return (position - positions_[i]).squaredNorm() > largestMove_ * largestMove_;
+    const Anchor& anchor = anchors_[i];
+    return !((position - anchor.position).squaredNorm() <= anchor.allowance * anchor.allowance);
   }
   /// True if any agent has moved too far, or agents came or went.
   bool needsRebuild(const AgentStore& agents) const;
 
  private:
+  /// An agent as it was when it was last looked up.
+  struct Anchor {
+    Vec3 position;
+    double allowance;  ///< how far it may go from there [m], less what it has grown since
+    double radius;
+    AgentId id;
+    bool daughter;
+  };
+  static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
+  bool sameAgents(const AgentStore& agents) const;
+  /// Sets the allowances to present radii and flags in `stale` whom to look up; returns them.
+  std::vector<Index> findStale(const AgentStore& agents, std::vector<std::uint8_t>& stale);
+  void lookUp(const AgentStore& agents, const std::vector<Index>& names,
+              const std::vector<std::uint8_t>& stale);
+  template <class F>
+  void assemble(F&& appendRow);
+
+  NeighbourRange range_;
+  std::vector<Anchor> anchors_;
   std::vector<std::size_t> start_;
   std::vector<Index> neighbours_;
-  std::vector<Vec3> positions_;
-  double largestMove_ = 0;
 };
 
 }  // namespace restenosis

@@ -25,7 +25,11 @@ class OuterConfinement : public Constraint {
   double surfaceRadius(const Vec3& point) const { return map_.at(point); }
 
  private:
+  /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.
+  bool deepInside(double x, double y, double radius) const;
+
   RadiusMap map_;
+  double nearest_;  ///< the surface is nowhere nearer to the axis [m]
   double margin_;
 };
 

@@ -78,6 +78,12 @@ void RadiusMap::continueIntoGaps(std::vector<double>& weight) {
   }
 }
 
+double RadiusMap::lowest() const {
+  if (empty()) return std::numeric_limits<double>::infinity();
+  // Rounding of the interpolation is far below a billionth.
+  return *std::ranges::min_element(values_) * (1 - 1e-9);
+}
+
 double RadiusMap::at(const Vec3& point) const {
   if (empty()) return std::numeric_limits<double>::infinity();
   const Cylindrical c = toCylindrical(point);

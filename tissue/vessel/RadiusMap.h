@@ -18,6 +18,8 @@ class RadiusMap {
   bool empty() const { return values_.empty(); }
   /// Distance of the surface from the axis at the point's angle and place along the vessel [m].
   double at(const Vec3& point) const;
+  /// A bound that no value of `at` is below [m]; infinite without agents.
+  double lowest() const;
 
  private:
   double& value(int around, int along) { return values_[static_cast<std::size_t>(along) * around_ + around]; }

@@ -1,0 +1,127 @@
+#include "ContactBench.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <omp.h>
+
+#include <numeric>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ForceField.h"
+#include "MachineLimits.h"
+#include "Timing.h"
+#include "WallPacking.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double wallLength = 0.55e-3;  // [m]; about 30,000 agents with the default vessel
+constexpr double skinOverRadius = 0.4;  // as in a relaxation
+
+/// The wall and how many pairs its force loop handles, counted from each of the two agents of a pair.
+struct Workload {
+  Workload() {
+    VesselParameters vessel;
+    vessel.length = wallLength;
+    wall = packWall(vessel, mechanics, 1);
+    range = ForceField(mechanics).range(skinOverRadius * vessel.cellRadius);
+    neighbours.build(wall.agents, range);
+    spheres = packSpheres(wall.agents);
+    all.resize(wall.agents.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    for (const Index i : all) {
+      for (const Index j : neighbours.of(i)) {
+        const double sum = spheres[i].r + spheres[j].r;
+        touching += (wall.agents.position(i) - wall.agents.position(j)).squaredNorm() < sum * sum;
+      }
+    }
+    listed = 2.0 * static_cast<double>(neighbours.pairCount());
+    bonds = 2.0 * static_cast<double>(wall.bonds.bondCount());
+  }
+  double agents() const { return static_cast<double>(all.size()); }
+  /// What one pass over all agents reads and writes at least, each array once [B].
+  double bytes() const {
+    return agents() * (sizeof(Sphere) + sizeof(AgentLoad) + sizeof(Bond) * BondTable::maxBonds) +
+           listed * sizeof(Index);
+  }
+
+  MechanicsParameters mechanics;
+  Wall wall;
+  NeighbourRange range;
+  NeighbourList neighbours;
+  std::vector<Sphere> spheres;
+  std::vector<Index> all;
+  double listed = 0, touching = 0, bonds = 0;
+};
+
+struct Rates {
+  double passes;  ///< force loops over all agents [1/s]
+  double builds;  ///< lists [1/s]
+  MachineLimits machine;
+};
+
+Rates measure(const Workload& work, int threads) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  const ForceField field(work.mechanics);
+  std::vector<AgentLoad> load(work.all.size());
+  NeighbourList list;
+  Rates rates{};
+  rates.passes = 1 / secondsPerCall([&] {
+                   field.evaluate(work.spheres, work.wall.agents.flags, work.neighbours, work.wall.bonds,
+                                  work.all, load);
+                 });
+  rates.builds = 1 / secondsPerCall([&] { list.build(work.wall.agents, work.range); });
+  rates.machine = measureMachine();
+  omp_set_num_threads(before);
+  return rates;
+}
+
+}  // namespace
+
+void benchContact(std::ostream& out) {
+  const Workload work;
+  fmt::print(
+      out,
+      "contact: {} agents of a packed wall; of each {:.1f} neighbours listed, {:.1f} of them touching, "
+      "{:.1f} bonds\n"
+      "Pairs are counted from both of their agents. Rates are by wall clock, the best of several.\n\n",
+      work.all.size(), work.listed / work.agents(), work.touching / work.agents(),
+      work.bonds / work.agents());
+
+  const std::set<int> threadCounts{1, omp_get_max_threads()};
+  std::vector<Rates> rates;
+  std::string head = fmt::format("{:<46}", "");
+  for (const int threads : threadCounts) {
+    rates.push_back(measure(work, threads));
+    head += fmt::format("{:>14}", fmt::format("{} thread{}", threads, threads == 1 ? "" : "s"));
+  }
+  fmt::print(out, "{}\n", head);
+  const auto row = [&](const char* what, auto&& value) {
+    std::string line = fmt::format("{:<46}", what);
+    for (const Rates& r : rates) line += fmt::format("{:>14.4g}", value(r));
+    fmt::print(out, "{}\n", line);
+  };
+  // Roots: one a touching pair for the distance and one for the law; one a bond.
+  const double roots = 2 * work.touching + work.bonds;
+  row("force evaluations [million agents/s]",
+      [&](const Rates& r) { return 1e-6 * r.passes * work.agents(); });
+  row("pair terms, touching [million/s]", [&](const Rates& r) { return 1e-6 * r.passes * work.touching; });
+  row("pair terms, listed [million/s]", [&](const Rates& r) { return 1e-6 * r.passes * work.listed; });
+  row("neighbour list, built anew [million agents/s]",
+      [&](const Rates& r) { return 1e-6 * r.builds * work.agents(); });
+  row("machine: memory copied [GB/s read + written]",
+      [](const Rates& r) { return 1e-9 * r.machine.copiedBytes; });
+  row("machine: multiply-add [Gflop/s]", [](const Rates& r) { return 1e-9 * r.machine.multiplyAdds; });
+  row("machine: square roots [million/s]", [](const Rates& r) { return 1e-6 * r.machine.squareRoots; });
+  row("force loop: share of the memory rate [%]",
+      [&](const Rates& r) { return 100 * r.passes * work.bytes() / r.machine.copiedBytes; });
+  row("force loop: share of the square roots [%]",
+      [&](const Rates& r) { return 100 * r.passes * roots / r.machine.squareRoots; });
+  fmt::print(out, "\n");
+}
+
+}  // namespace restenosis
