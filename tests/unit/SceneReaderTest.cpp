@@ -159,7 +159,7 @@ TEST_F(SceneReaderTest, ReportsEverythingAtOnce) {
 TEST_F(SceneReaderTest, RefusesFilesThatAreNone) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "SceneReaderTest";
   std::filesystem::create_directories(folder / "folder.csv");
-  std::ofstream(folder / "there.csv") << "x,y,z\n";
+  std::ofstream(folder / "there.csv") << "x,y,z,radius\n0,855,600,15\n";
   std::ofstream(folder / "quick.toml") << start + "[stent]\nfile = \"there.csv\"\n";
   const SceneReader reader(units);
   const Scene scene = reader.readFile(folder / "quick.toml");
