@@ -122,9 +122,11 @@ class PairForces {
         const Sphere& other = in_.spheres[j];
         const double dx = self.x - other.x, dy = self.y - other.y, dz = self.z - other.z;
         batch.add(true, dx, dy, dz, dx * dx + dy * dy + dz * dz, self.r + other.r, self.r * other.r, i < j);
+        // Only when full, so that where a pair stands in a group does not depend on the list.
+        if (batch.full()) batch.flush(load, contact);
       }
-      batch.flush(load, contact);
     }
+    batch.flush(load, contact);
   }
 
   void addCohesion(Index i, const Sphere& self, AgentLoad& load) const {
