@@ -76,8 +76,8 @@ RelaxationReport Deployment::step() {
 }
 
 void Deployment::continueLastMove() {
-  // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has only the
-  // difference to find. Where that is does not change; how soon it is found does.
+  // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has
+  // only the difference to find. Where that is does not change; how soon it is found does.
   if (wall_.lastMove.size() != 3 * static_cast<std::size_t>(wall_.agents.size())) return;
   for (Index i = 0; i < wall_.agents.size(); ++i) {
     if (wall_.agents.kind[i] == AgentKind::strut || wall_.agents.has(i, fixed)) continue;
