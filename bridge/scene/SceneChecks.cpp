@@ -84,9 +84,11 @@ Finding stenosisInTissue(const Scene& s, const Units&) {
   return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
 }
 
-Finding stenosisOfLoadedLumen(const Scene& s, const Units&) {
-  if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
-  return "'stenosis' shapes a cylinder, but 'lumenSurface' gives the lumen; take one of them out";
+Finding loadedLumen(const Scene& s, const Units&) {
+  if (s.vessel.lumenSurface.empty()) return {};
+  return "'lumenSurface' is not part of this version: the lumen is taken from the tissue, or is the cylinder "
+         "of [vessel]; "
+         "take it out";
 }
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
@@ -150,7 +152,7 @@ const std::vector<Check>& checks() {
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
-      {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLoadedLumen},
+      {{"vessel.lumenSurface"}, loadedLumen},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},
