@@ -43,6 +43,18 @@ TEST(ExposureMeasure, CoversTheSolidAngleOfTheCone) {
   EXPECT_NEAR(covered(neighbour(3 * direction, 2)), coneShare(1.25, 2, 3), tolerance);
 }
 
+TEST(ExposureMeasure, ALaminaHidesWhatIsBehindItAndNotWhatIsBesideIt) {
+  const ExposureMeasure measure(fine());
+  const auto covered = [&](double facing) {
+    ContactNeighbour lamina = neighbour({0, 0, 2.5}, 1, AgentKind::iel);
+    lamina.facing = facing;
+    return 1 - measure.share(1, std::vector{lamina});
+  };
+  EXPECT_NEAR(covered(1), coneShare(1.9, 1, 2.5), 0.006);
+  EXPECT_NEAR(covered(0), coneShare(1.25, 1, 2.5), 0.006);
+  EXPECT_NEAR(covered(std::sqrt(0.5)), coneShare((1.25 + 1.9) / 2, 1, 2.5), 0.006);
+}
+
 TEST(ExposureMeasure, ADeeplyOverlappingNeighbourCoversTheHalfSpace) {
   const ExposureMeasure measure(fine());
   EXPECT_NEAR(measure.share(1, std::vector{neighbour(Vec3(0.8, 0, 0))}), 0.5, 0.006);

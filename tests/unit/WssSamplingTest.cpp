@@ -32,16 +32,31 @@ TEST_F(WssSampling, GivesFacesToTheNearestSurfaceNotTheNearestCentre) {
   EXPECT_EQ(shear.wss[small], 3);
 }
 
-TEST_F(WssSampling, LeavesOutStrutsAndHiddenCells) {
-  const Index hidden = addCell({0, 0, 0}, 1, false), strut = addCell({1, 0, 0}, 1, true, AgentKind::strut);
-  const Index seen = addCell({9, 0, 0}, 1);
-  addFace({0, 0, 0}, 1, 2);
+TEST_F(WssSampling, LeavesOutStruts) {
+  const Index strut = addCell({1, 0, 0}, 1, true, AgentKind::strut), seen = addCell({9, 0, 0}, 1);
+  addFace({1, 0, 0}, 1, 2);
   addFace({9, 0, 0}, 1, 100, SurfaceRegion::strut);
   const CellShear shear = sampleWss(agents, faces);
-  EXPECT_EQ(shear.wss[hidden], 0);
   EXPECT_EQ(shear.wss[strut], 0);
   EXPECT_EQ(shear.wss[seen], 2);
   EXPECT_EQ(shear.facesGiven, 1U);
+}
+
+TEST_F(WssSampling, ChargesNoCellWithTheStressOnTheLaminaBesideIt) {
+  const Index lamina = addCell({0, 0, 0}, 1, false, AgentKind::iel), cell = addCell({9, 0, 0}, 1);
+  addFace({0, 0, 1}, 3, 100);
+  addFace({9, 0, 1}, 1, 2);
+  const CellShear shear = sampleWss(agents, faces);
+  EXPECT_EQ(shear.wss[cell], 2);
+  EXPECT_EQ(shear.wss[lamina], 100);
+  EXPECT_EQ(shear.area[lamina], 3);
+}
+
+TEST_F(WssSampling, KeepsHiddenCellsWithoutStress) {
+  const Index hidden = addCell({0, 0, -9}, 1, false);
+  addCell({0, 0, 0}, 1);
+  addFace({0, 0, 1}, 1, 2);
+  EXPECT_EQ(sampleWss(agents, faces).wss[hidden], 0);
 }
 
 TEST_F(WssSampling, FillsCellsWithoutFaceFromTheNearest) {
