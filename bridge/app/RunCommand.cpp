@@ -113,7 +113,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->folder,
                       "folder for the results (default: results/<scene name>)");
   command->add_option("--flow", arguments->flow,
-                      "flow backend instead of the scene's: foam, analytic or none");
+                      "flow backend instead of the scene's: foam, lbm, analytic or none");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command

@@ -10,7 +10,7 @@ void FlowParameters::describe(ParameterVisitor& p) {
   p.choice(backend, flowBackendNames::all(),
            {.key = "backend",
             .source = "model 8",
-            .description = "OpenFOAM, Poiseuille from the local radius, or no flow"});
+            .description = "OpenFOAM, lattice Boltzmann, Poiseuille from the local radius, or no flow"});
   p.choice(drive, {"flowRate", "pressureGradient"},
            {.key = "drive", .source = "model 8", .description = "what stays fixed while the lumen narrows"});
   p.quantity(meanVelocity, {.key = "meanVelocity",

@@ -16,7 +16,6 @@ struct UnbuiltName {
   std::string_view section, key, value, message;
 };
 constexpr UnbuiltName unbuiltNames[] = {
-    {"flow", "backend", "lbm", "the lattice Boltzmann backend is not part of this version"},
     {"coupling", "remesh", "onDemand", "moving the mesh between remeshes is not part of this version"},
 };
 

@@ -132,7 +132,8 @@ TEST_F(SceneReaderTest, HoldsValuesToTheirBounds) {
 TEST_F(SceneReaderTest, OffersTheChoices) {
   expectOne(start + "[flow]\nbackend = \"faom\"\n", 11,
             {"cannot be \"faom\"; did you mean 'foam'? Allowed: foam"});
-  expectOne(start + "[flow]\nbackend = \"lbm\"\n", 11, {"not part of this version", "Allowed: foam"});
+  expectOne(start + "[coupling]\nremesh = \"onDemand\"\n", 11,
+            {"not part of this version", "Allowed: always"});
 }
 
 TEST_F(SceneReaderTest, PlacesBrokenToml) {

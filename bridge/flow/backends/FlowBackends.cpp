@@ -6,6 +6,7 @@
 #include "AnalyticBackend.h"
 #include "FlowBackendNames.h"
 #include "FoamBackend.h"
+#include "LbmBackend.h"
 
 namespace restenosis {
 
@@ -15,6 +16,11 @@ const std::vector<FlowBackendEntry>& flowBackends() {
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
          return std::make_unique<FoamBackend>(FoamSettings::forFidelity(options.fidelity),
                                               FoamExecution{options.ranks, options.stopRequested});
+       }},
+      {flowBackendNames::lbm,
+       [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
+         return std::make_unique<LbmBackend>(LbmSettings::forFidelity(options.fidelity),
+                                             options.stopRequested);
        }},
       {flowBackendNames::analytic,
        [](const FlowBackendOptions&) -> std::unique_ptr<FlowBackend> {

@@ -1,0 +1,230 @@
+#include "LatticeFlow.h"
+
+#include <omp.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace restenosis {
+namespace {
+
+constexpr std::size_t nodesPerShare = 8192;
+constexpr std::size_t hugePage = std::size_t{1} << 21;
+
+/// Runs in portions: indices of the first run of each, and the number of runs.
+std::vector<std::size_t> portions(const std::vector<NodeRun>& runs) {
+  std::vector<std::size_t> first{0};
+  std::size_t nodes = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (nodes >= nodesPerShare) {
+      first.push_back(i);
+      nodes = 0;
+    }
+    nodes += runs[i].count;
+  }
+  first.push_back(runs.size());
+  return first;
+}
+
+/// Symmetric and antisymmetric parts of the equilibrium of a direction.
+struct Equilibrium {
+  double even, odd;
+};
+Equilibrium equilibrium(int i, double density, const Vec3& u) {
+  const auto& c = d3q19::c[static_cast<std::size_t>(i)];
+  const double cu = c[0] * u.x() + c[1] * u.y() + c[2] * u.z();
+  const double w = d3q19::weight(i);
+  return {w * (density + 4.5 * cu * cu - 1.5 * u.squaredNorm()), 3.0 * w * cu};
+}
+
+/// The components of a symmetric tensor in the order of NodeState::stress.
+constexpr std::array<std::array<std::size_t, 2>, 6> components = {
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+}  // namespace
+
+template <class Real>
+void LatticeFlow<Real>::Free::operator()(Real* p) const {
+  std::free(p);
+}
+
+template <class Real>
+LatticeFlow<Real>::LatticeFlow(const ColumnLayout& layout, LatticeBoundary boundary,
+                               const LatticeRelaxation& relaxation)
+    : layout_(layout),
+      relaxation_(relaxation),
+      boundary_(std::move(boundary)),
+      shares_(portions(layout.runs())) {
+  collision_.evenRate = static_cast<Real>(1.0 / relaxation.tau);
+  collision_.oddRate = static_cast<Real>(1.0 / relaxation.oddTau());
+  for (std::size_t d = 0; d < 3; ++d)
+    collision_.force[d] = static_cast<Real>(relaxation.force[static_cast<int>(d)]);
+  forced_ = !relaxation.force.isZero();
+  wall_.reserve(boundary_.wall.size());
+  for (const auto& l : boundary_.wall)
+    wall_.push_back({l.near, l.far, l.behind, l.here, static_cast<Real>(l.k), static_cast<Real>(l.source)});
+  boundary_.wall = {};
+  allocate();
+}
+
+template <class Real>
+void LatticeFlow<Real>::allocate() {
+  const std::size_t count = static_cast<std::size_t>(d3q19::directions) * layout_.places();
+  const std::size_t bytes = (count * sizeof(Real) + hugePage - 1) / hugePage * hugePage;
+  populations_.reset(static_cast<Real*>(std::aligned_alloc(hugePage, bytes)));
+  if (!populations_) throw std::bad_alloc();
+#if defined(__linux__)
+  madvise(populations_.get(), bytes, MADV_HUGEPAGE);  // fewer page walks; without it all works the same
+#endif
+  Real* const all = populations_.get();
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < count; ++i) all[i] = 0;
+}
+
+template <class Real>
+void LatticeFlow<Real>::initialise(const std::function<NodeState(std::uint32_t)>& state) {
+  const double factor = -1.0 / (1.0 - 0.5 / relaxation_.tau);  // from stress to departure from equilibrium
+  const auto& runs = layout_.runs();
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (std::uint32_t n = 0; n < runs[r].count; ++n) {
+      const std::uint32_t place = runs[r].first + n;
+      const NodeState s = state(place);
+      const Vec3 u = s.velocity - 0.5 * relaxation_.force;
+      const double trace = (s.stress[0] + s.stress[1] + s.stress[2]) / 3.0;
+      for (int i = 0; i < d3q19::directions; ++i) {
+        const auto& c = d3q19::c[static_cast<std::size_t>(i)];
+        double departure = 0.0;
+        for (std::size_t k = 0; k < 6; ++k)
+          departure += (k < 3 ? 1.0 : 2.0) * s.stress[k] * c[components[k][0]] * c[components[k][1]];
+        departure = 4.5 * d3q19::weight(i) * factor * (departure - trace);
+        const Equilibrium e = equilibrium(i, s.density, u);
+        populations_[slot(place, i)] = static_cast<Real>(e.even + e.odd + departure);
+      }
+    }
+}
+
+template <class Real>
+void LatticeFlow<Real>::collide(const NodeRun& run, Parity parity) {
+  Real* slots[d3q19::directions];
+  for (int i = 0; i < d3q19::directions; ++i) {
+    const auto& c = d3q19::c[static_cast<std::size_t>(i)];
+    slots[i] = parity == Parity::even
+                   ? populations_.get() + slot(run.first, i)
+                   : populations_.get() +
+                         slot(layout_.place(run.x - c[0], run.y - c[1], run.z - c[2]), d3q19::opposite(i));
+  }
+  if (forced_)
+    collideRun<Real, true>(slots, run.count, collision_);
+  else
+    collideRun<Real, false>(slots, run.count, collision_);
+}
+
+template <class Real>
+template <typename LatticeFlow<Real>::Parity parity>
+void LatticeFlow<Real>::applyPressure() {
+  Real* const f = populations_.get();
+#pragma omp for schedule(static) nowait
+  for (std::size_t n = 0; n < boundary_.pressure.size(); ++n) {
+    const auto& link = boundary_.pressure[n];
+    const auto& node = boundary_.pressureNodes[link.node];
+    Vec3 u = 0.5 * relaxation_.force;
+    for (int i = 1; i < d3q19::directions; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const auto& c = d3q19::c[at];
+      const std::uint32_t leaving =
+          parity == Parity::even ? slot(node.place, d3q19::opposite(i)) : slot(node.neighbour[at], i);
+      u += static_cast<double>(f[leaving]) * Vec3(c[0], c[1], c[2]);
+    }
+    const double even = equilibrium(link.direction, link.density, u).even;
+    const auto [from, to] =
+        parity == Parity::even ? std::pair{link.near, link.far} : std::pair{link.far, link.near};
+    f[to] = static_cast<Real>(2.0 * even) - f[from];
+  }
+}
+
+template <class Real>
+template <typename LatticeFlow<Real>::Parity parity>
+void LatticeFlow<Real>::applyBoundary() {
+  Real* const f = populations_.get();
+  if (!boundary_.passages.empty()) {
+#pragma omp for schedule(static)
+    for (std::size_t n = 0; n < boundary_.passages.size(); ++n) {
+      const auto& p = boundary_.passages[n];
+      if constexpr (parity == Parity::even)
+        f[p.evenTo] = f[p.evenFrom];
+      else
+        f[p.oddTo] = f[p.oddFrom];
+    }
+  }
+  applyPressure<parity>();
+#pragma omp for schedule(static)
+  for (std::size_t n = 0; n < wall_.size(); ++n) {
+    const WallLink& l = wall_[n];
+    const Real correction = l.k * (f[l.behind] - f[l.here]);
+    if constexpr (parity == Parity::even)
+      f[l.far] = f[l.near] + correction + l.source;
+    else
+      f[l.near] = f[l.far] - correction + l.source;
+  }
+  if (!boundary_.thin.empty()) {
+#pragma omp for schedule(static)
+    for (std::size_t n = 0; n < boundary_.thin.size(); ++n)
+      std::swap(f[boundary_.thin[n].a], f[boundary_.thin[n].b]);
+  }
+}
+
+template <class Real>
+void LatticeFlow<Real>::advance(int pairs) {
+  const auto& runs = layout_.runs();
+  const std::size_t portionCount = shares_.size() - 1;
+#pragma omp parallel
+  for (int pair = 0; pair < pairs; ++pair) {
+    const auto sweep = [&](Parity parity) {
+#pragma omp for schedule(dynamic, 1)
+      for (std::size_t portion = 0; portion < portionCount; ++portion)
+        for (std::size_t r = shares_[portion]; r < shares_[portion + 1]; ++r) collide(runs[r], parity);
+    };
+    sweep(Parity::even);
+    applyBoundary<Parity::even>();
+    sweep(Parity::odd);
+    applyBoundary<Parity::odd>();
+  }
+}
+
+template <class Real>
+NodeState LatticeFlow<Real>::state(std::uint32_t place) const {
+  NodeState s;
+  std::array<double, d3q19::directions> f{};
+  for (int i = 0; i < d3q19::directions; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    f[at] = populations_[slot(place, i)];
+    s.density += f[at];
+    s.velocity += f[at] * Vec3(d3q19::c[at][0], d3q19::c[at][1], d3q19::c[at][2]);
+  }
+  s.velocity += 0.5 * relaxation_.force;
+  std::array<double, 6> departure{};
+  for (int i = 1; i < d3q19::directions; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Equilibrium e = equilibrium(i, s.density, s.velocity);
+    for (std::size_t k = 0; k < 6; ++k)
+      departure[k] +=
+          (f[at] - e.even - e.odd) * d3q19::c[at][components[k][0]] * d3q19::c[at][components[k][1]];
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto a = static_cast<int>(components[k][0]), b = static_cast<int>(components[k][1]);
+    const double uForce = s.velocity[a] * relaxation_.force[b] + s.velocity[b] * relaxation_.force[a];
+    s.stress[k] = -(1.0 - 0.5 / relaxation_.tau) * (departure[k] + 0.5 * uForce);
+  }
+  return s;
+}
+
+template class LatticeFlow<float>;
+template class LatticeFlow<double>;
+
+}  // namespace restenosis

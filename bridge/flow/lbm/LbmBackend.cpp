@@ -1,0 +1,150 @@
+#include "LbmBackend.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+#include "FlowBackendNames.h"
+#include "LatticeSampler.h"
+#include "LumenShape.h"
+#include "SteadyLattice.h"
+
+namespace restenosis {
+namespace {
+
+/// A coarse lattice only gives a start, so it need not settle as far.
+constexpr double coarseTolerance = 10.0;
+/// Nodes across the inlet below which a coarser lattice is of no use.
+constexpr double fewestNodesAcross = 16.0;
+/// Fewest nodes across the inlet that the finest lattice may have.
+constexpr double leastNodesAcross = 8.0;
+/// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
+constexpr double massLimit = 0.05, massRemark = 0.01;
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+class Log {
+ public:
+  explicit Log(const std::filesystem::path& folder) {
+    if (folder.empty()) return;
+    std::filesystem::create_directories(folder);
+    file_ = folder / "log.lbm";
+    stream_.open(file_);
+  }
+  template <class... Arguments>
+  void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    if (stream_.is_open()) {
+      fmt::print(stream_, text, std::forward<Arguments>(arguments)...);
+      stream_ << std::endl;
+    }
+  }
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
+
+/// Spacings from the coarsest lattice to the finest.
+std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& settings) {
+  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / 3.14159265358979);
+  if (across < leastNodesAcross * settings.dx)
+    throw std::invalid_argument(
+        fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
+                    "[lbm], or check "
+                    "the lumen's length unit",
+                    1e3 * across, leastNodesAcross, 1e6 * settings.dx));
+  std::vector<double> result{settings.dx};
+  for (std::int64_t level = 1; level <= settings.coarseLevels; ++level) {
+    if (across < fewestNodesAcross * 2.0 * result.front()) break;
+    result.insert(result.begin(), 2.0 * result.front());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string_view LbmBackend::name() const { return flowBackendNames::lbm; }
+
+FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& conditions,
+                               const std::filesystem::path& caseFolder) {
+  Log log(caseFolder);
+  try {
+    requireLumen(lumen);
+    const FlowEstimate estimate(lumen, conditions);
+    std::function<FlowPoint(const Vec3&)> start = [&estimate](const Vec3& p) {
+      return FlowPoint{Vec3(0.0, 0.0, estimate.velocity(p)), estimate.pressure(p)};
+    };
+    FlowSolution solution;
+    std::unique_ptr<SteadyLattice> solved;
+    std::unique_ptr<LatticeSampler> coarser;
+    const auto levels = spacings(lumen, settings_);
+    for (const double dx : levels) {
+      const bool finest = dx == levels.back();
+      auto began = Clock::now();
+      std::unique_ptr<SteadyLattice> lattice;
+      try {
+        lattice = std::make_unique<SteadyLattice>(lumen, conditions, settings_, dx);
+        lattice->start(start);
+        solution.meshSeconds += secondsSince(began);
+        log.line("spacing {:.4g} um: {} nodes, relaxation time {:.4f}, time step {:.4g} s",
+                 1e6 * lattice->units().dx, lattice->nodes(), lattice->relaxationTime(), lattice->units().dt);
+        began = Clock::now();
+        lattice->solve(finest ? settings_.tolerance : coarseTolerance * settings_.tolerance,
+                       [&](std::int64_t steps, double distance) {
+                         log.line("  {} steps, wall shear stress within {:.3g} of its steady state", steps,
+                                  distance);
+                         return !(stopRequested_ && *stopRequested_);
+                       });
+      } catch (const std::exception& error) {
+        if (finest) throw;
+        log.line("  left out: {}", error.what());
+        continue;
+      }
+      if (stopRequested_ && *stopRequested_) throw LatticeFailed("stopped on request");
+      solution.solveSeconds += secondsSince(began);
+      solution.iterations += static_cast<int>(lattice->steps());
+      if (finest) {
+        solved = std::move(lattice);
+      } else {
+        coarser = std::make_unique<LatticeSampler>(*lattice);
+        start = [&coarser](const Vec3& p) { return (*coarser)(p); };
+      }
+    }
+
+    solution.cells = solved->nodes();
+    solution.wall = solved->wall();
+    const int last = solved->layers() - 1;
+    const double outflow = solved->layer(last).flowRate;
+    solution.massImbalance = std::abs(outflow / solved->inflow() - 1.0);
+    // From the middle of the first and last layers to the planes of the ends, half a spacing further out
+    const auto atEnd = [&](int end, int inner) {
+      const double p = solved->layer(end).pressure;
+      return last > 0 ? p + 0.5 * (p - solved->layer(inner).pressure) : p;
+    };
+    solution.pressureDrop = atEnd(0, std::min(1, last)) - atEnd(last, std::max(0, last - 1));
+    log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance, solution.pressureDrop);
+    if (!(solution.massImbalance < massLimit))
+      throw LatticeFailed(fmt::format("outflow and inflow differ by {:.2g} %: choose a smaller dx in [lbm]",
+                                      100.0 * solution.massImbalance));
+    if (solution.massImbalance > massRemark)
+      solution.remarks.push_back(
+          fmt::format("outflow and inflow differ by {:.2g} %", 100.0 * solution.massImbalance));
+    if (solved->bareFaces() > 0)
+      solution.remarks.push_back(fmt::format(
+          "{} faces of the wall have no lattice node near them, and no stress", solved->bareFaces()));
+    return solution;
+  } catch (const std::exception& error) {
+    log.line("failed: {}", error.what());
+    throw FlowFailed(fmt::format("lattice Boltzmann flow: {}", error.what()), log.file());
+  }
+}
+
+}  // namespace restenosis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+
+#include "FlowBackend.h"
+#include "LbmSettings.h"
+
+namespace restenosis {
+
+class SteadyLattice;
+
+/// Steady laminar flow by a D3Q19 lattice Boltzmann method (docs/model/lbm.md): an independent check on the
+/// OpenFOAM backend, with the same surface, flow rate and viscosity. Wall faces are the triangles of the
+/// surface.
+///
+/// The flow starts from Poiseuille's in every cross-section, on a coarse lattice, and each lattice from the
+/// one before. It is converged when the wall shear stress is. Divergence, a lumen that the lattice does not
+/// resolve and a flow that does not settle end by FlowFailed, which names the setting to change. Writes
+/// `log.lbm`.
+class LbmBackend : public FlowBackend {
+ public:
+  explicit LbmBackend(const LbmSettings& settings, const std::atomic<bool>* stopRequested = nullptr)
+      : settings_(settings), stopRequested_(stopRequested) {}
+  std::string_view name() const override;
+  FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
+                     const std::filesystem::path& caseFolder) override;
+
+ private:
+  LbmSettings settings_;
+  const std::atomic<bool>* stopRequested_;
+};
+
+}  // namespace restenosis

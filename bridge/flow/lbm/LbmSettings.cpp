@@ -1,0 +1,86 @@
+#include "LbmSettings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+struct Level {
+  std::string_view fidelity;
+  double dx;  // [m]
+};
+constexpr std::array levels = {Level{"draft", 30e-6}, Level{"standard", 20e-6}, Level{"reference", 15e-6}};
+
+}  // namespace
+
+void LbmSettings::describe(ParameterVisitor& p) {
+  p.quantity(dx, {.key = "dx",
+                  .unit = "um",
+                  .minimum = 0,
+                  .maximum = 10000,
+                  .minimumAllowed = false,
+                  .source = "T6",
+                  .description = "lattice spacing"});
+  p.choice(collision, {"trt", "bgk"},
+           {.key = "collision", .source = "assumed", .description = "two relaxation times or one (T6)"});
+  p.quantity(magic, {.key = "magic",
+                     .minimum = 0,
+                     .maximum = 10,
+                     .minimumAllowed = false,
+                     .source = "Ginzburg 2008",
+                     .description = "(tau - 1/2)(tau of the odd parts - 1/2), for collision = \"trt\""});
+  p.choice(
+      wall, {"interpolated", "bounceBack"},
+      {.key = "wall", .source = "assumed", .description = "the wall where it is, or half a link away (T6)"});
+  p.choice(stress, {"fitted", "nearest"},
+           {.key = "stress",
+            .source = "assumed",
+            .description = "stress carried to the wall, or as the nearest node has it"});
+  p.choice(precision, {"double", "float"},
+           {.key = "precision", .source = "assumed", .description = "of the populations"});
+  p.quantity(latticeVelocity,
+             {.key = "latticeVelocity",
+              .minimum = 0,
+              .maximum = 0.3,
+              .minimumAllowed = false,
+              .source = "assumed",
+              .description = "largest expected velocity in spacings per time step; sets the time step"});
+  p.quantity(
+      tolerance,
+      {.key = "tolerance",
+       .minimum = 0,
+       .maximum = 1,
+       .minimumAllowed = false,
+       .source = "assumed",
+       .description = "distance of the wall shear stress from its steady state, estimated and relative, "
+                      "at which the solution counts as converged"});
+  p.integer(coarseLevels,
+            {.key = "coarseLevels",
+             .minimum = 0,
+             .maximum = 8,
+             .source = "assumed",
+             .description = "lattices of twice, four times ... the spacing from which the solution starts"});
+  p.integer(maximumSteps,
+            {.key = "maximumSteps", .minimum = 2, .source = "assumed", .description = "most time steps"});
+  p.quantity(maximumNodes,
+             {.key = "maximumNodes",
+              .minimum = 1,
+              .source = "assumed",
+              .description = "lattice nodes in the box around the lumen above which it is refused"});
+}
+
+LbmSettings LbmSettings::forFidelity(std::string_view fidelity) {
+  for (const Level& level : levels)
+    if (level.fidelity == fidelity) {
+      LbmSettings settings;
+      settings.dx = level.dx;
+      return settings;
+    }
+  throw std::invalid_argument(
+      fmt::format("there is no fidelity '{}'; valid names: draft, standard, reference", fidelity));
+}
+
+}  // namespace restenosis

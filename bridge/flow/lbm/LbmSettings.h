@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "ParameterVisitor.h"
+
+namespace restenosis {
+
+/// How finely and how exactly the lattice Boltzmann backend works.
+struct LbmSettings {
+  static constexpr std::string_view section = "lbm";
+  static constexpr std::string_view summary = "Lattice and solver settings of the lattice Boltzmann backend";
+
+  double dx = 15e-6;                   ///< lattice spacing [m]
+  std::string collision = "trt";       ///< trt or bgk
+  double magic = 3.0 / 16.0;           ///< magic parameter of the two relaxation times
+  std::string wall = "interpolated";   ///< interpolated or bounceBack
+  std::string stress = "fitted";       ///< fitted or nearest
+  std::string precision = "double";    ///< double or float
+  double latticeVelocity = 0.1;        ///< largest expected velocity [spacings per time step]
+  double tolerance = 1e-3;             ///< estimated distance of WSS from its steady state, relative
+  std::int64_t coarseLevels = 2;       ///< lattices of twice, four times ... the spacing to start from
+  std::int64_t maximumSteps = 200000;  ///< on the finest lattice
+  double maximumNodes = 1e8;           ///< in the box around the lumen
+
+  void describe(ParameterVisitor& p);
+  /// The settings of a fidelity level: draft (30 um), standard (20 um) or reference (15 um). Throws
+  /// std::invalid_argument for others.
+  static LbmSettings forFidelity(std::string_view fidelity);
+};
+
+}  // namespace restenosis

@@ -1,0 +1,151 @@
+#include "SteadyLattice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "LumenShape.h"
+#include "SteadyState.h"
+
+namespace restenosis {
+namespace {
+
+/// Faces whose stress is followed while the flow settles, at most.
+constexpr std::size_t mostSamples = 4000;
+/// Lattice velocity beyond which a flow cannot be right any more.
+constexpr double runawayVelocity = 1.0;
+/// Checks in the time that the mean flow takes through the lumen or across it, whichever is longer.
+constexpr double checksPerPassage = 20.0;
+
+}  // namespace
+
+SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions,
+                             const LbmSettings& settings, double dx)
+    : settings_(settings),
+      estimate_(lumen, conditions),
+      lattice_(makeLumenLattice(lumen, dx, settings.maximumNodes)),
+      units_(latticeUnits(lattice_.frame.dx, estimate_, conditions, settings.latticeVelocity)),
+      stress_(lumen, lattice_, settings.stress == "nearest" ? StressRule::nearest : StressRule::fitted) {
+  relaxation_.tau = units_.relaxationTime(conditions.kinematicViscosity);
+  relaxation_.magic = settings.magic;
+  relaxation_.single = settings.collision == "bgk";
+  if (conditions.drive == FlowConditions::Drive::flowRate) givenFlow_ = conditions.flowRate;
+  LatticeBoundary surface = boundary(lumen, conditions);
+  if (settings.precision == "float")
+    flow_ = std::make_unique<LatticeFlow<float>>(lattice_.layout, std::move(surface), relaxation_);
+  else
+    flow_ = std::make_unique<LatticeFlow<double>>(lattice_.layout, std::move(surface), relaxation_);
+}
+
+LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowConditions& conditions) const {
+  const WallRule rule = settings_.wall == "bounceBack" ? WallRule::bounceBack : WallRule::interpolated;
+  LatticeEnds ends;
+  const LumenEnd inlet = lumenEnd(lumen, SurfaceRegion::inlet);
+  if (conditions.drive == FlowConditions::Drive::pressureGradient) {
+    const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
+    ends.inlet = LatticeEnds::Inlet::pressure;
+    ends.inletDensity = 3.0 * conditions.pressureGradient * length / units_.pressure();
+    return makeBoundary(lattice_, lumen.region, rule, ends);
+  }
+  const double squareRadius = inlet.area / std::numbers::pi;
+  ends.velocity = [&](const Vec3& p) {
+    return Vec3(0.0, 0.0, std::max(0.0, 1.0 - (p - inlet.centre).head<2>().squaredNorm() / squareRadius));
+  };
+  LatticeBoundary result = makeBoundary(lattice_, lumen.region, rule, ends);
+  // What the links of the inlet bring in, in all, is the flow rate exactly
+  double total = 0.0;
+  for (const auto& link : result.wall) total += link.source;
+  if (!(total > 0.0))
+    throw std::invalid_argument("no lattice link crosses the inlet: choose a smaller dx in [lbm]");
+  for (auto& link : result.wall) link.source *= conditions.flowRate / units_.flowRate() / total;
+  return result;
+}
+
+FlowPoint SteadyLattice::at(std::uint32_t place) const {
+  const NodeState s = flow_->state(place);
+  return {units_.velocity() * s.velocity, units_.pressure() / 3.0 * s.density};
+}
+
+void SteadyLattice::start(const std::function<FlowPoint(const Vec3&)>& flow) {
+  // Runs are sorted by place, so the run of a place is the last that begins at or before it
+  const auto& runs = lattice_.layout.runs();
+  flow_->initialise([&](std::uint32_t place) {
+    const auto after = std::upper_bound(runs.begin(), runs.end(), place,
+                                        [](std::uint32_t p, const NodeRun& run) { return p < run.first; });
+    const NodeRun& run = *(after - 1);
+    const FlowPoint point =
+        flow(lattice_.frame.position({run.x, run.y, run.z + static_cast<int>(place - run.first)}));
+    NodeState state;
+    state.velocity = point.velocity / units_.velocity();
+    state.density = 3.0 * point.pressure / units_.pressure();
+    return state;
+  });
+}
+
+std::int64_t SteadyLattice::checkInterval() const {
+  const double mean = 0.5 * estimate_.peakVelocity() / units_.velocity();
+  const double across = std::sqrt(static_cast<double>(nodes()) / layers());
+  const double passage = std::max(static_cast<double>(layers()), across) / mean;
+  return std::max<std::int64_t>(10, 2 * std::llround(0.5 * passage / checksPerPassage));
+}
+
+void SteadyLattice::diverged() const {
+  throw LatticeFailed(
+      fmt::format("the lattice flow diverged after {} steps, with the relaxation time {:.4f} and {:.3g} "
+                  "spacings a step at most: "
+                  "choose a smaller dx in [lbm] (it is {:.4g} um), {}",
+                  steps_, relaxation_.tau, estimate_.peakVelocity() / units_.velocity(), 1e6 * units_.dx,
+                  relaxation_.single ? "or collision = \"trt\"" : "or another latticeVelocity"));
+}
+
+void SteadyLattice::solve(double tolerance, const Watch& watch) {
+  const std::size_t stride = std::max<std::size_t>(1, (stress_.faces() + mostSamples - 1) / mostSamples);
+  SteadyState steady;
+  const std::int64_t interval = checkInterval();
+  for (;;) {
+    flow_->advance(static_cast<int>(interval / 2));
+    steps_ += interval;
+    const auto stresses = stress_.stresses(*flow_);
+    std::vector<double> sample;
+    for (std::size_t f = 0; f < stress_.faces(); f += stride) {
+      const Vec3 t = stress_.traction(f, stresses, 1.0);
+      if (!(t.squaredNorm() < runawayVelocity)) diverged();
+      sample.insert(sample.end(), {t.x(), t.y(), t.z()});
+    }
+    steady.add(std::move(sample));
+    const double distance = steady.distance();
+    if (!watch(steps_, distance)) return;
+    if (distance < tolerance) break;
+    if (steps_ >= settings_.maximumSteps)
+      throw LatticeFailed(
+          fmt::format("the wall shear stress did not settle within {} steps: it is estimated to be {:.2g} "
+                      "from its steady state, and "
+                      "tolerance is {:.2g}; raise maximumSteps or tolerance in [lbm]",
+                      steps_, distance, tolerance));
+  }
+  for (const NodeRun& run : lattice_.layout.runs())
+    for (std::uint32_t n = 0; n < run.count; ++n)
+      if (!(flow_->state(run.first + n).velocity.squaredNorm() < runawayVelocity)) diverged();
+}
+
+std::vector<WallFace> SteadyLattice::wall() const {
+  return stress_.wall(stress_.stresses(*flow_), units_.pressure());
+}
+
+SteadyLattice::Layer SteadyLattice::layer(int z) const {
+  double flow = 0.0, pressure = 0.0, nodes = 0.0;
+  for (const NodeRun& run : lattice_.layout.runs()) {
+    if (z < run.z || z >= run.z + static_cast<int>(run.count)) continue;
+    const NodeState s = flow_->state(run.first + static_cast<std::uint32_t>(z - run.z));
+    flow += s.velocity.z();
+    pressure += s.density;
+    nodes += 1.0;
+  }
+  return {flow * units_.flowRate(), pressure / (3.0 * nodes) * units_.pressure()};
+}
+
+double SteadyLattice::inflow() const { return givenFlow_ ? *givenFlow_ : layer(0).flowRate; }
+
+}  // namespace restenosis

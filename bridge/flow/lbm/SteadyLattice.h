@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "LatticeFlow.h"
+#include "LatticeUnits.h"
+#include "LbmSettings.h"
+#include "WallStress.h"
+
+namespace restenosis {
+
+/// Velocity [m/s] and pressure [Pa] at a point.
+struct FlowPoint {
+  Vec3 velocity = Vec3::Zero();
+  double pressure = 0.0;
+};
+
+/// A lattice flow that was found to diverge, or not to converge; `what()` says which setting to change.
+struct LatticeFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One lattice in a lumen, solved to its steady state.
+class SteadyLattice {
+ public:
+  /// Throws std::invalid_argument where no lattice can be made.
+  SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions, const LbmSettings& settings,
+                double dx);
+
+  /// Starts from this flow.
+  void start(const std::function<FlowPoint(const Vec3&)>& flow);
+  /// What to do between checks with the steps done and the estimated relative distance of WSS from its steady
+  /// state; returns whether to go on.
+  using Watch = std::function<bool(std::int64_t steps, double distance)>;
+  /// Advances until WSS is within `tolerance` of its steady state. Throws LatticeFailed.
+  void solve(double tolerance, const Watch& watch);
+
+  std::int64_t steps() const { return steps_; }
+  std::size_t nodes() const { return lattice_.layout.fluidNodes(); }
+  double relaxationTime() const { return relaxation_.tau; }
+  const LatticeUnits& units() const { return units_; }
+  const LumenLattice& lattice() const { return lattice_; }
+  std::size_t bareFaces() const { return stress_.bareFaces(); }
+
+  std::vector<WallFace> wall() const;
+  FlowPoint at(std::uint32_t place) const;
+  /// Volume per time through a layer of nodes [m^3/s], and the mean pressure in it [Pa].
+  struct Layer {
+    double flowRate, pressure;
+  };
+  Layer layer(int z) const;
+  int layers() const { return lattice_.frame.size[2]; }
+  /// What flows in, by the drive or as found [m^3/s].
+  double inflow() const;
+
+ private:
+  LatticeBoundary boundary(const TriSurface& lumen, const FlowConditions& conditions) const;
+  std::int64_t checkInterval() const;
+  [[noreturn]] void diverged() const;
+
+  LbmSettings settings_;
+  FlowEstimate estimate_;
+  LumenLattice lattice_;
+  LatticeUnits units_;
+  LatticeRelaxation relaxation_;
+  WallStress stress_;
+  std::unique_ptr<LatticeFlowBase> flow_;
+  std::optional<double> givenFlow_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace restenosis
