@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace restenosis {
 namespace {
@@ -32,7 +32,9 @@ class BoundaryMaker {
       else if ((inlet || outlet) && ends_.inlet == LatticeEnds::Inlet::periodic)
         addPassage(link);
       else if (outlet || (inlet && ends_.inlet == LatticeEnds::Inlet::pressure))
-        addPressure(link, inlet ? ends_.inletDensity : 0.0);
+        addPressure(link, outlet);
+      else if (inlet && ends_.source && !entersInside(link))
+        addWallBeyondEnd(link);
       else
         addWall(link, inlet);
     }
@@ -64,45 +66,86 @@ class BoundaryMaker {
     return n;
   }
 
+  const SurfaceLink* find(std::uint32_t node, int direction) const {
+    const auto at = std::lower_bound(lattice_.links.begin(), lattice_.links.end(), std::pair(direction, node),
+                                     [](const SurfaceLink& l, const std::pair<int, std::uint32_t>& wanted) {
+                                       return std::pair(static_cast<int>(l.direction), l.node) < wanted;
+                                     });
+    const bool found = at != lattice_.links.end() && at->direction == direction && at->node == node;
+    return found ? &*at : nullptr;
+  }
+  /// Whether a node and its neighbour are fluid and nothing lies between them.
+  bool joined(const Step& node, int direction) const {
+    const Step other = moved(node, direction);
+    const auto inRange = [&](const Step& n) { return n[2] >= 0 && n[2] < layout_.size()[2]; };
+    return inRange(node) && inRange(other) && fluidAt_.contains(layout_.place(node)) &&
+           fluidAt_.contains(layout_.place(other)) && find(layout_.place(node), direction) == nullptr;
+  }
+
   void addWall(const SurfaceLink& link, bool inlet) {
     LatticeBoundary::WallLink wall{near(link), far(link), near(link), near(link), 0.0, 0.0};
-    Step behind = moved(link.coordinates, d3q19::opposite(link.direction));
-    bool interpolable = link.interpolable;
-    if (ends_.inlet == LatticeEnds::Inlet::periodic && (behind[2] < 0 || behind[2] >= layout_.size()[2])) {
-      behind = wrapped(behind);
-      interpolable = fluidAt_.contains(layout_.place(behind));
-    }
     // Without a node behind (a gap one node wide) the wall is taken to be half a link away
     double q = 0.5;
-    if (interpolable && rule_ == WallRule::interpolated) {
-      q = link.q;
-      wall.behind = slot(layout_.place(behind), d3q19::opposite(link.direction));
-      wall.here = slot(link.node, link.direction);
-      wall.k = (1.0 - 2.0 * q) / (1.0 + 2.0 * q);
+    if (rule_ == WallRule::interpolated) {
+      Step here = link.coordinates, behind = moved(here, d3q19::opposite(link.direction));
+      bool interpolable = link.interpolable;
+      if (behind[2] < 0 || behind[2] >= layout_.size()[2]) {
+        if (ends_.inlet == LatticeEnds::Inlet::periodic) {
+          behind = wrapped(behind);
+          interpolable = fluidAt_.contains(layout_.place(behind));
+        } else {
+          // Beyond an end the flow goes on as before: what is one layer further in stands for it
+          here[2] += d3q19::c[link.direction][2];
+          behind[2] += d3q19::c[link.direction][2];
+          interpolable = joined(here, d3q19::opposite(link.direction));
+        }
+      }
+      if (interpolable) {
+        q = link.q;
+        wall.behind = slot(layout_.place(behind), d3q19::opposite(link.direction));
+        wall.here = slot(layout_.place(here), link.direction);
+        wall.k = (1.0 - 2.0 * q) / (1.0 + 2.0 * q);
+      }
     }
-    if (inlet) {
-      const Step& c = d3q19::c[link.direction];
-      const Vec3 direction(c[0], c[1], c[2]);
-      const Vec3 u =
-          ends_.velocity(lattice_.frame.position(link.coordinates) + link.q * lattice_.frame.dx * direction);
-      wall.source = -12.0 * d3q19::weight(link.direction) / (1.0 + 2.0 * q) * direction.dot(u);
-    }
+    if (inlet) wall.source = inletSource(link, q);
     result_.wall.push_back(wall);
+  }
+
+  double inletSource(const SurfaceLink& link, double q) const {
+    if (ends_.source) return ends_.source(link.coordinates, link.direction);
+    const Step& c = d3q19::c[link.direction];
+    const Vec3 direction(c[0], c[1], c[2]);
+    const Vec3 crossing = lattice_.frame.position(link.coordinates) + link.q * lattice_.frame.dx * direction;
+    return -12.0 * d3q19::weight(link.direction) / (1.0 + 2.0 * q) * direction.dot(ends_.velocity(crossing));
+  }
+
+  /// Whether the link, gone back into the layer it comes from, ends at a fluid node.
+  bool entersInside(const SurfaceLink& link) const {
+    const Step& c = d3q19::c[link.direction];
+    const Step& n = link.coordinates;
+    return fluidAt_.contains(layout_.place(n[0] + c[0], n[1] + c[1], n[2]));
   }
 
   void addThin(const SurfaceLink& link) {
     if (link.direction % 2 == 1) result_.thin.push_back({near(link), far(link)});
   }
 
-  void addPressure(const SurfaceLink& link, double density) {
+  void addPressure(const SurfaceLink& link, bool outlet) {
+    Step inner = link.coordinates;
+    inner[2] -= d3q19::c[link.direction][2];
+    if (!fluidAt_.contains(layout_.place(inner))) {  // a spur of the lumen that ends here
+      addWall(link, false);
+      return;
+    }
     const auto [entry, isNew] =
         pressureNode_.try_emplace(link.node, static_cast<std::uint32_t>(result_.pressureNodes.size()));
     if (isNew) {
-      LatticeBoundary::PressureNode node{link.node, {}};
+      LatticeBoundary::PressureNode node{layout_.place(inner), outlet, {}};
       for (int i = 0; i < d3q19::directions; ++i)
-        node.neighbour[static_cast<std::size_t>(i)] = layout_.place(moved(link.coordinates, i));
+        node.neighbour[static_cast<std::size_t>(i)] = layout_.place(moved(inner, i));
       result_.pressureNodes.push_back(node);
     }
+    const double density = outlet ? 0.0 : ends_.inletDensity;
     result_.pressure.push_back({near(link), far(link), entry->second, link.direction, density});
   }
 
@@ -119,15 +162,14 @@ class BoundaryMaker {
   }
 
   /// A link that leaves through an end and would meet the wall on the other side of it. Where the lumen goes
-  /// on beyond its ends as it was before, the wall is as far as for the same link one layer further in.
+  /// on beyond its ends as it was before, the wall is as far as along the same link without its part in z.
   void addWallBeyondEnd(const SurfaceLink& link) {
-    SurfaceLink inner = link;
-    inner.coordinates[2] -= d3q19::c[link.direction][2];
-    inner.node = layout_.place(inner.coordinates);
-    const auto key = [](const SurfaceLink& l) { return std::tuple(l.direction, l.node); };
-    const auto found = std::lower_bound(lattice_.links.begin(), lattice_.links.end(), inner,
-                                        [&](const auto& a, const auto& b) { return key(a) < key(b); });
-    if (found == lattice_.links.end() || key(*found) != key(inner))
+    const Step& c = d3q19::c[link.direction];
+    SurfaceLink across = link;
+    across.direction = static_cast<std::uint8_t>(
+        std::find(d3q19::c.begin(), d3q19::c.end(), Step{c[0], c[1], 0}) - d3q19::c.begin());
+    const SurfaceLink* found = find(across.node, across.direction);
+    if (found == nullptr)
       throw std::invalid_argument("a periodic flow needs equal ends: the lumen's inlet and outlet differ");
     SurfaceLink wall = link;
     wall.q = found->q;

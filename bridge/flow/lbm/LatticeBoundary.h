@@ -21,6 +21,8 @@ struct LatticeEnds {
   Inlet inlet = Inlet::velocity;
   std::function<Vec3(const Vec3& position)> velocity;  ///< at a point of the inlet [m], for Inlet::velocity
   double inletDensity = 0.0;                           ///< departure from 1, for Inlet::pressure; 3 p
+  /// Replaces the sources that follow from the velocity, for Inlet::velocity: by node and direction.
+  std::function<double(const d3q19::Step& node, int direction)> source;
 };
 
 /// Everything that the surface does to populations, as places in storage. Slot i of a place holds the
@@ -43,16 +45,18 @@ struct LatticeBoundary {
   struct ThinLink {
     std::uint32_t a, b;
   };
-  /// Anti-bounce-back: the population comes back negated, plus twice the symmetric equilibrium of the given
-  /// density and the node's velocity.
+  /// A given pressure at an end: what comes in is what comes in at the node one layer further in, with the
+  /// density changed so that the line through both layers meets the given one on the plane of the end, half a
+  /// spacing out. Developed flow leaves unchanged (non-equilibrium extrapolation, Guo et al. 2002).
   struct PressureLink {
     std::uint32_t near, far, node;  ///< node: of pressureNodes
     std::uint8_t direction;
     double density;
   };
   struct PressureNode {
-    std::uint32_t place;
-    std::array<std::uint32_t, 19> neighbour;  ///< places of place + c_i
+    std::uint32_t inner;  ///< place of the node one layer further in
+    bool outlet;
+    std::array<std::uint32_t, 19> neighbour;  ///< places of inner + c_i
   };
   /// A population that leaves at one end and enters at the other: from -> to after a step of that parity.
   struct Passage {
@@ -63,6 +67,10 @@ struct LatticeBoundary {
   std::vector<ThinLink> thin;
   std::vector<PressureLink> pressure;
   std::vector<PressureNode> pressureNodes;
+  /// The sum of u_z over those inner nodes of the outlet in the steady state. Sound leaves through the outlet
+  /// instead of being thrown back by a fixed pressure: the outlet's density follows the outflow's departure
+  /// from this sum, as in a plane wave, and is 0 once they agree. Not used where negative.
+  double expectedOutflow = -1.0;
   std::vector<Passage> passages;
 };
 

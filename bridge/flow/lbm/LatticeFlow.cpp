@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -69,6 +70,8 @@ LatticeFlow<Real>::LatticeFlow(const ColumnLayout& layout, LatticeBoundary bound
   for (const auto& l : boundary_.wall)
     wall_.push_back({l.near, l.far, l.behind, l.here, static_cast<Real>(l.k), static_cast<Real>(l.source)});
   boundary_.wall = {};
+  ends_.resize(boundary_.pressureNodes.size());
+  for (const auto& node : boundary_.pressureNodes) outletNodes_ += node.outlet ? 1 : 0;
   allocate();
 }
 
@@ -127,24 +130,46 @@ void LatticeFlow<Real>::collide(const NodeRun& run, Parity parity) {
 
 template <class Real>
 template <typename LatticeFlow<Real>::Parity parity>
+Real LatticeFlow<Real>::arriving(const LatticeBoundary::PressureNode& node, int direction) const {
+  const int opposite = d3q19::opposite(direction);
+  return populations_[parity == Parity::even
+                          ? slot(node.neighbour[static_cast<std::size_t>(opposite)], opposite)
+                          : slot(node.inner, direction)];
+}
+
+template <class Real>
+template <typename LatticeFlow<Real>::Parity parity>
 void LatticeFlow<Real>::applyPressure() {
-  Real* const f = populations_.get();
-#pragma omp for schedule(static) nowait
+#pragma omp for schedule(static)
+  for (std::size_t n = 0; n < ends_.size(); ++n) {
+    ends_[n] = {0.0, 0.5 * relaxation_.force.z()};
+    for (int i = 0; i < d3q19::directions; ++i) {
+      const auto f = static_cast<double>(arriving<parity>(boundary_.pressureNodes[n], i));
+      ends_[n].density += f;
+      ends_[n].velocity += f * d3q19::c[static_cast<std::size_t>(i)][2];
+    }
+  }
+  if (boundary_.expectedOutflow >= 0.0) {
+#pragma omp single
+    {
+      double outflow = 0.0;  // one after the other, so that the sum does not depend on the threads
+      for (std::size_t n = 0; n < ends_.size(); ++n)
+        if (boundary_.pressureNodes[n].outlet) outflow += ends_[n].velocity;
+      // A plane wave that leaves: p = u times the speed of sound 1 / sqrt(3), and 3 p is the density's
+      // departure
+      outletDensity_ =
+          std::sqrt(3.0) * (outflow - boundary_.expectedOutflow) / static_cast<double>(outletNodes_);
+    }
+  }
+#pragma omp for schedule(static)
   for (std::size_t n = 0; n < boundary_.pressure.size(); ++n) {
     const auto& link = boundary_.pressure[n];
     const auto& node = boundary_.pressureNodes[link.node];
-    Vec3 u = 0.5 * relaxation_.force;
-    for (int i = 1; i < d3q19::directions; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const auto& c = d3q19::c[at];
-      const std::uint32_t leaving =
-          parity == Parity::even ? slot(node.place, d3q19::opposite(i)) : slot(node.neighbour[at], i);
-      u += static_cast<double>(f[leaving]) * Vec3(c[0], c[1], c[2]);
-    }
-    const double even = equilibrium(link.direction, link.density, u).even;
-    const auto [from, to] =
-        parity == Parity::even ? std::pair{link.near, link.far} : std::pair{link.far, link.near};
-    f[to] = static_cast<Real>(2.0 * even) - f[from];
+    const int incoming = d3q19::opposite(link.direction);
+    const double onPlane = link.density + (node.outlet ? outletDensity_ : 0.0);
+    const double change = 2.0 / 3.0 * (onPlane - ends_[link.node].density);
+    populations_[parity == Parity::even ? link.far : link.near] =
+        arriving<parity>(node, incoming) + static_cast<Real>(d3q19::weight(link.direction) * change);
   }
 }
 
@@ -162,7 +187,6 @@ void LatticeFlow<Real>::applyBoundary() {
         f[p.oddTo] = f[p.oddFrom];
     }
   }
-  applyPressure<parity>();
 #pragma omp for schedule(static)
   for (std::size_t n = 0; n < wall_.size(); ++n) {
     const WallLink& l = wall_[n];
@@ -177,6 +201,7 @@ void LatticeFlow<Real>::applyBoundary() {
     for (std::size_t n = 0; n < boundary_.thin.size(); ++n)
       std::swap(f[boundary_.thin[n].a], f[boundary_.thin[n].b]);
   }
+  if (!boundary_.pressure.empty()) applyPressure<parity>();
 }
 
 template <class Real>

@@ -59,6 +59,10 @@ class LatticeFlow : public LatticeFlowBase {
   void initialise(const std::function<NodeState(std::uint32_t place)>& state) override;
   void advance(int pairs) override;
   NodeState state(std::uint32_t place) const override;
+  /// Population that arrives at a place in a direction; its departure from the weight.
+  double population(std::uint32_t place, int direction) const {
+    return static_cast<double>(populations_[slot(place, direction)]);
+  }
 
   /// Bytes that a step reads and writes at least, each population once.
   double bytesPerNode() const { return 2.0 * d3q19::directions * sizeof(Real); }
@@ -79,6 +83,8 @@ class LatticeFlow : public LatticeFlowBase {
   void applyBoundary();
   template <Parity parity>
   void applyPressure();
+  template <Parity parity>
+  Real arriving(const LatticeBoundary::PressureNode& node, int direction) const;
   std::uint32_t slot(std::uint32_t place, int direction) const {
     return static_cast<std::uint32_t>(direction) * layout_.places() + place;
   }
@@ -88,7 +94,13 @@ class LatticeFlow : public LatticeFlowBase {
   Collision<Real> collision_;
   bool forced_;
   std::vector<WallLink> wall_;
-  LatticeBoundary boundary_;         // all but the wall links
+  LatticeBoundary boundary_;  // all but the wall links
+  struct EndState {
+    double density, velocity;
+  };
+  std::vector<EndState> ends_;  // of boundary_.pressureNodes, at their inner nodes
+  double outletDensity_ = 0.0;
+  std::size_t outletNodes_ = 0;
   std::vector<std::size_t> shares_;  // runs in portions of about equal numbers of nodes
   std::unique_ptr<Real[], Free> populations_;
 };
