@@ -9,6 +9,7 @@
 
 #include "ContactBench.h"
 #include "ExitStatus.h"
+#include "LatticeBench.h"
 
 namespace restenosis {
 namespace {
@@ -18,7 +19,7 @@ struct Bench {
   void (*run)(std::ostream&);
 };
 
-const std::array<Bench, 1> benches{{{"contact", &benchContact}}};
+const std::array<Bench, 2> benches{{{"contact", &benchContact}, {"lbm", &benchLattice}}};
 
 }  // namespace
 

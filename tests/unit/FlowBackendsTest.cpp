@@ -29,7 +29,7 @@ TEST(FlowBackends, unknownNamesListTheValidOnes) {
     makeFlowBackend("openfoam", {});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("foam, analytic, none"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("foam, lbm, analytic, none"), std::string::npos);
   }
   EXPECT_THROW(makeFlowBackend("foam", {.fidelity = "fine"}), std::invalid_argument);
 }

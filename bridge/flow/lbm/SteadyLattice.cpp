@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t mostSamples = 4000;
 /// Lattice velocity beyond which a flow cannot be right any more.
 constexpr double runawayVelocity = 1.0;
-/// Checks in the time that the mean flow takes through the lumen or across it, whichever is longer.
+/// Checks in the time in which the flow settles: that of the mean flow through the lumen or across it, or
+/// that of diffusion across it where it is shorter.
 constexpr double checksPerPassage = 20.0;
 
 }  // namespace
@@ -82,7 +83,8 @@ std::int64_t SteadyLattice::checkInterval() const {
   const double mean = 0.5 * estimate_.peakVelocity() / units_.velocity();
   const double across = std::sqrt(static_cast<double>(nodes()) / layers());
   const double passage = std::max(static_cast<double>(layers()), across) / mean;
-  return std::max<std::int64_t>(10, 2 * std::llround(0.5 * passage / checksPerPassage));
+  const double diffusion = 0.75 * across * across / (relaxation_.tau - 0.5);  // radius squared over viscosity
+  return std::max<std::int64_t>(10, 2 * std::llround(0.5 * std::min(passage, diffusion) / checksPerPassage));
 }
 
 void SteadyLattice::diverged() const {

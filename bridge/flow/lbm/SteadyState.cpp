@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace restenosis {
 namespace {
 
-constexpr std::size_t ratios = 3;
+constexpr std::size_t window = 4;
 constexpr double largestRatio = 0.98;
 
 }  // namespace
@@ -25,12 +26,12 @@ void SteadyState::add(std::vector<double> sample) {
 }
 
 double SteadyState::distance() const {
-  if (changes_.size() < ratios + 1) return std::numeric_limits<double>::infinity();
-  double ratio = 0.0;
-  for (std::size_t i = changes_.size() - ratios; i < changes_.size(); ++i)
-    ratio = std::max(ratio, changes_[i - 1] > 0.0 ? changes_[i] / changes_[i - 1] : 0.0);
-  ratio = std::min(ratio, largestRatio);
-  return changes_.back() * std::max(1.0, ratio / (1.0 - ratio));
+  if (changes_.size() < 2 * window) return std::numeric_limits<double>::infinity();
+  const auto recent = changes_.end() - window, before = recent - window;
+  const double now = std::accumulate(recent, changes_.end(), 0.0),
+               then = std::accumulate(before, recent, 0.0);
+  const double ratio = then > 0.0 ? std::min(std::pow(now / then, 1.0 / window), largestRatio) : 0.0;
+  return *std::max_element(recent, changes_.end()) * std::max(1.0, ratio / (1.0 - ratio));
 }
 
 }  // namespace restenosis

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace restenosis {
 namespace {
@@ -17,21 +18,48 @@ constexpr double firstLayerWeight = 0.01;
 /// Ridge on the slopes, relative to the sum of weights: decides where nodes lie in a plane.
 constexpr double ridge = 1e-6;
 
+/// Faces that meet at a larger angle than 45 degrees do not smooth each other's normals.
+constexpr double creaseCosine = 0.7071;
+
 struct NearNode {
   std::uint32_t place;
   Vec3 offset;  // from the face's centre [spacings]
   double weight;
 };
 
-/// Area-weighted normals at vertices, of wall and struts only.
-std::vector<Vec3> vertexNormals(const TriSurface& s) {
-  std::vector<Vec3> normals(s.vertices.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    if (s.region[i] != SurfaceRegion::wall && s.region[i] != SurfaceRegion::strut) continue;
-    for (const auto v : s.triangles[i]) normals[v] += s.areaVector(i);
+/// Smoothed normals: of the faces around the vertices of each face, area-weighted, those beyond a crease left
+/// out.
+class SmoothNormals {
+ public:
+  explicit SmoothNormals(const TriSurface& s) : surface_(s), first_(s.vertices.size() + 1, 0) {
+    forEachCorner([this](std::uint32_t vertex, std::uint32_t) { ++first_[vertex + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    faces_.resize(first_.back());
+    auto next = first_;
+    forEachCorner([&](std::uint32_t vertex, std::uint32_t face) { faces_[next[vertex]++] = face; });
   }
-  return normals;
-}
+  Vec3 at(std::size_t face) const {
+    const Vec3 own = surface_.areaVector(face).normalized();
+    Vec3 sum = Vec3::Zero();
+    for (const auto v : surface_.triangles[face])
+      for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+        const Vec3 other = surface_.areaVector(faces_[k]);
+        if (other.dot(own) > creaseCosine * other.norm()) sum += other;
+      }
+    return sum.normalized();
+  }
+
+ private:
+  template <class F>
+  void forEachCorner(F&& f) const {
+    for (std::uint32_t i = 0; i < surface_.triangles.size(); ++i) {
+      if (surface_.region[i] != SurfaceRegion::wall && surface_.region[i] != SurfaceRegion::strut) continue;
+      for (const auto v : surface_.triangles[i]) f(v, i);
+    }
+  }
+  const TriSurface& surface_;
+  std::vector<std::uint32_t> first_, faces_;
+};
 
 class NodeFinder {
  public:
@@ -113,14 +141,12 @@ void keepNearest(std::vector<NearNode>& nodes) {
 }  // namespace
 
 WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule) {
-  const auto normals = vertexNormals(lumen);
+  const SmoothNormals normals(lumen);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
     const double area = lumen.areaVector(i).norm();
     if (!(area > 0.0)) continue;
-    Vec3 normal = Vec3::Zero();
-    for (const auto v : lumen.triangles[i]) normal += normals[v].normalized();
-    faces_.push_back({lumen.centre(i), normal.normalized(), area, lumen.region[i], 0, 0});
+    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0});
   }
 
   const NodeFinder finder(lattice);
