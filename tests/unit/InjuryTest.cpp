@@ -57,7 +57,7 @@ TEST(Injury, AWallAtRestIsNotInjured) {
 TEST(Injury, FenestrationTakesTheStatedShareOfTheStretched) {
   Index fenestrated = 0, stretched = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Wall wall = stretchedWall(0.05, 0);
+    Wall wall = stretchedWall(0.2, 0);
     InjuryParameters parameters;
     parameters.fenestrationProbability = 0.3;
     const InjuryReport report = injure(wall, parameters, seed);
@@ -69,7 +69,7 @@ TEST(Injury, FenestrationTakesTheStatedShareOfTheStretched) {
 }
 
 TEST(Injury, InjuredIelBecomesSyntheticMuscleWithWhatIsNear) {
-  Wall wall = stretchedWall(0.05, 0);
+  Wall wall = stretchedWall(0.2, 0);
   const Wall before = wall;
   const InjuryReport report = injure(wall, alwaysFenestrated(), 1);
   EXPECT_EQ(report.fenestrated, report.stretched);
@@ -85,7 +85,7 @@ TEST(Injury, InjuredIelBecomesSyntheticMuscleWithWhatIsNear) {
 }
 
 TEST(Injury, ReachIsMeasuredInRadii) {
-  Wall wall = stretchedWall(0.05, 0);
+  Wall wall = stretchedWall(0.2, 0);
   InjuryParameters parameters = alwaysFenestrated();
   parameters.syntheticReach = 0.9;
   const InjuryReport report = injure(wall, parameters, 1);
@@ -166,7 +166,7 @@ TEST(Injury, RemovesTheIel) {
 
 TEST(Injury, DenudationDecidesTheEndothelium) {
   for (const char* denudation : {"full", "none"}) {
-    Wall wall = stretchedWall(0.05, 0);
+    Wall wall = stretchedWall(0.2, 0);
     InjuryParameters parameters;
     parameters.denudation = denudation;
     injure(wall, parameters, 1);

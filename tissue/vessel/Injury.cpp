@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "Cylindrical.h"
+#include "LaminaStretch.h"
 #include "NeighbourQuery.h"
 #include "RandomStream.h"
 
@@ -58,11 +59,11 @@ class Injurer {
       ++report_.ielBonds;
     });
     if (report_.ielBonds > 0) report_.meanStrain = sum / static_cast<double>(report_.ielBonds);
-    strain_ = ielStrain(wall_);
+    stretch_ = laminaStretch(wall_);
     for (Index i = 0; i < agents_.size(); ++i) {
       if (!mayBeInjured(i)) continue;
       ++report_.iel;
-      report_.stretched += strain_[i] > parameters_.stretchedStrain;
+      report_.stretched += stretch_[i] > parameters_.stretchedStrain;
     }
   }
 
@@ -96,7 +97,7 @@ class Injurer {
 
   void fenestrate() {
     for (Index i = 0; i < agents_.size(); ++i) {
-      if (!mayBeInjured(i) || injured_[i] || strain_[i] <= parameters_.stretchedStrain) continue;
+      if (!mayBeInjured(i) || injured_[i] || stretch_[i] <= parameters_.stretchedStrain) continue;
       RandomStream stream(seed_, agents_.id[i], 0, RandomPurpose::fenestration);
       if (stream.uniform() >= parameters_.fenestrationProbability) continue;
       injured_[i] = 1;
@@ -153,20 +154,11 @@ class Injurer {
   const InjuryParameters& parameters_;
   std::uint64_t seed_;
   std::vector<std::uint8_t> injured_;
-  std::vector<double> strain_;
+  std::vector<double> stretch_;
   InjuryReport report_;
 };
 
 }  // namespace
-
-std::vector<double> ielStrain(const Wall& wall) {
-  std::vector<double> strain(wall.agents.size(), 0.0);
-  forEachIelBond(wall, [&](Index a, Index b, double value) {
-    strain[a] = std::max(strain[a], value);
-    strain[b] = std::max(strain[b], value);
-  });
-  return strain;
-}
 
 InjuryReport injure(Wall& wall, const InjuryParameters& parameters, std::uint64_t seed) {
   return Injurer(wall, parameters, seed).run();
