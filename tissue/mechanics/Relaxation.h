@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -47,6 +48,9 @@ class Relaxation {
   double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
 
  private:
+  /// How to compute in mixed precision; nothing where double precision is asked for or needed.
+  std::optional<FixedScale> scaleFor(const AgentStore& agents, const BondTable& bonds) const;
+
   MechanicsParameters parameters_;
   ForceField field_;
   double referenceRadius_;
