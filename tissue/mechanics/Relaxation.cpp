@@ -12,6 +12,10 @@ namespace {
 // they add is not missed for long.
 constexpr int iterationsBetweenWaking = 5;
 
+// Agents that move are brought this far below the tolerance that wakes others: those just below it would be
+// woken again by the next small change.
+constexpr double settledShare = 0.5;
+
 // Least stiffness an agent is given, over C r0: that of a contact 2 % of the radius deep. It bounds the step
 // of agents that are hardly touched.
 constexpr double softestContact = 1.2;
@@ -60,7 +64,7 @@ RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
     relaxing.advance(*minimiser);
     ++report.iterations;
-    const bool quiet = relaxing.awakeResidual() <= tolerance;
+    const bool quiet = relaxing.awakeResidual() <= settledShare * tolerance;
     const bool due = report.iterations % iterationsBetweenWaking == 0;
     const bool woken = (quiet || due) && relaxing.wakeDisturbed();
     report.converged = quiet && !woken && !relaxing.wakeAnyone();

@@ -32,8 +32,9 @@ struct RelaxationFailed : std::runtime_error {
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
 /// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
 ///
-/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved;
-/// the rest are checked before the relaxation ends. Results do not depend on the number of threads.
+/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved,
+/// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
+/// number of threads.
 class Relaxation {
  public:
   /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown

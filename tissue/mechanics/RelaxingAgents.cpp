@@ -12,6 +12,12 @@
 namespace restenosis {
 namespace {
 
+// A disturbance of more agents than this share is no local one: it reaches everybody, and sleepers would only
+// hold the others back, being woken layer by layer.
+constexpr double localShare = 0.02;
+// A disturbance of fewer is local however small the tissue.
+constexpr std::size_t localCount = 500;
+
 struct Any {
   bool found = false;
   Index agent = 0;
@@ -168,8 +174,9 @@ bool RelaxingAgents::wakeDisturbed() {
   std::ranges::sort(beside);
   evaluate(beside);
   std::erase_if(beside, [&](Index j) { return residual_[j] <= tolerance_; });
-  wake(beside);
-  return !beside.empty();
+  const bool any = !beside.empty();
+  wakeAround(std::move(beside));
+  return any;
 }
 
 bool RelaxingAgents::wakeAnyone() {
@@ -177,8 +184,34 @@ bool RelaxingAgents::wakeAnyone() {
   std::vector<Index> restless;
   std::ranges::copy_if(free_, std::back_inserter(restless),
                        [&](Index i) { return !isAwake_[i] && residual_[i] > tolerance_; });
-  wake(restless);
+  wakeAround(std::move(restless));
   return awakeResidual() > tolerance_;
+}
+
+void RelaxingAgents::wakeAround(std::vector<Index> restless) {
+  wake(restless);
+  std::vector<Index> sleepers;
+  const auto consider = [&](Index j) {
+    if (isAwake_[j] || marked_[j] || !isFree(j)) return;
+    marked_[j] = 1;
+    sleepers.push_back(j);
+  };
+  for (const Index i : restless) {
+    // Those that touch, not all listed: who wakes must not depend on the list.
+    for (const Index j : neighbours_.of(i)) {
+      const double radii = agents_.radius[i] + agents_.radius[j];
+      if ((agents_.position(i) - agents_.position(j)).squaredNorm() < radii * radii) consider(j);
+    }
+    for (const Bond& bond : bonds_.of(i)) consider(bond.partner);
+  }
+  for (const Index j : sleepers) marked_[j] = 0;
+  std::ranges::sort(sleepers);
+  wake(sleepers);
+  const auto local = static_cast<std::size_t>(localShare * static_cast<double>(free_.size()));
+  if (awake_.size() <= std::max(localCount, local)) return;
+  sleepers.clear();
+  std::ranges::copy_if(free_, std::back_inserter(sleepers), [&](Index i) { return !isAwake_[i]; });
+  wake(sleepers);
 }
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {

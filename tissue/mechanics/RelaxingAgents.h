@@ -15,7 +15,8 @@ namespace restenosis {
 /// The agents during one relaxation: which of them are awake, the forces on them, and the neighbour list.
 ///
 /// Awake agents move; all others sleep. Only those next to an agent that moved can have a force that changed,
-/// so checking them from time to time is enough, and an iteration costs what the awake agents cost.
+/// so checking them from time to time is enough, and an iteration costs what the awake agents cost. A
+/// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
   /// Projects every free agent onto its constraints, computes all forces and wakes the agents above
@@ -56,6 +57,9 @@ class RelaxingAgents {
   void evaluateExactly();
   template <class Spheres>
   void evaluate(const Spheres& spheres, std::span<const Index> subset);
+  /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
+  /// for its surroundings; all, if these are many.
+  void wakeAround(std::vector<Index> restless);
   void wake(const std::vector<Index>& sleepers);
 
   AgentStore& agents_;
