@@ -18,6 +18,11 @@ constexpr double localShare = 0.02;
 // A disturbance of fewer is local however small the tissue.
 constexpr std::size_t localCount = 500;
 
+// Sleepers beside moving agents wake above this many times the tolerance, the others when all are checked in
+// double precision. It is above what mixed precision errs by, so that an agent that is merely listed, its
+// force unchanged, never wakes: who wakes must not depend on the list.
+constexpr double wakingShare = 1.1;
+
 struct Any {
   bool found = false;
   Index agent = 0;
@@ -173,7 +178,7 @@ bool RelaxingAgents::wakeDisturbed() {
   for (const Index j : beside) marked_[j] = 0;
   std::ranges::sort(beside);
   evaluate(beside);
-  std::erase_if(beside, [&](Index j) { return residual_[j] <= tolerance_; });
+  std::erase_if(beside, [&](Index j) { return residual_[j] <= wakingShare * tolerance_; });
   const bool any = !beside.empty();
   wakeAround(std::move(beside));
   return any;
@@ -208,10 +213,14 @@ void RelaxingAgents::wakeAround(std::vector<Index> restless) {
   std::ranges::sort(sleepers);
   wake(sleepers);
   const auto local = static_cast<std::size_t>(localShare * static_cast<double>(free_.size()));
-  if (awake_.size() <= std::max(localCount, local)) return;
-  sleepers.clear();
-  std::ranges::copy_if(free_, std::back_inserter(sleepers), [&](Index i) { return !isAwake_[i]; });
-  wake(sleepers);
+  if (awake_.size() > std::max(localCount, local)) {
+    std::vector<Index> rest;
+    std::ranges::copy_if(free_, std::back_inserter(rest), [&](Index i) { return !isAwake_[i]; });
+    wake(rest);
+    std::ranges::copy(rest, std::back_inserter(sleepers));
+    std::ranges::sort(sleepers);
+  }
+  evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
 }
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {

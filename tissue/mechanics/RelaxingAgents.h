@@ -29,8 +29,8 @@ class RelaxingAgents {
 
   /// One step of the awake agents, then the forces on them.
   void advance(Minimiser& minimiser);
-  /// Computes the forces on all sleeping agents next to an awake one and wakes those above the tolerance;
-  /// tells whether there were any.
+  /// Computes the forces on all sleeping agents next to an awake one and wakes those clearly above the
+  /// tolerance; tells whether there were any.
   bool wakeDisturbed();
 
   bool allAsleep() const { return awake_.empty(); }

@@ -9,11 +9,11 @@ namespace restenosis {
 
 /// What injury did, in agents unless stated.
 struct InjuryReport {
-  std::size_t ielBonds = 0;     ///< bonds between two IEL agents, free ends only
+  std::size_t ielBonds = 0;     ///< bonds of IEL agents that may be injured
   std::size_t brokenBonds = 0;  ///< of these, past the strain limit and removed
   double meanStrain = 0;        ///< of the IEL bonds before any broke
   double largestStrain = 0;     ///< the same
-  Index iel = 0;                ///< IEL agents that may be injured (not fixed)
+  Index iel = 0;                ///< IEL agents that may be injured
   Index stretched = 0;          ///< of these, stretched by more than `stretchedStrain`
   Index broken = 0;             ///< at an end of a broken bond, or past the stress limit
   Index fenestrated = 0;        ///< made permeable by chance
@@ -31,7 +31,8 @@ struct InjuryReport {
 ///    within reach of one become synthetic as well, or all cells do (`synthetic`);
 /// 4. `removeIel` takes the rest of the IEL away, and cells within reach of it become synthetic;
 /// 5. `denudation` strips the endothelium, or leaves it on the IEL and on what was IEL.
-/// Fixed agents are never injured and never become synthetic. A draw depends on (seed, agent id) alone.
+/// Fixed agents are never injured and never become synthetic, nor is the IEL injured within `endMargin` of
+/// them, where what holds the end stretches it and not the stent. A draw depends on (seed, agent id) alone.
 InjuryReport injure(Wall& wall, const InjuryParameters& parameters, std::uint64_t seed);
 
 }  // namespace restenosis

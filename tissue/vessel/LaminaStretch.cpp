@@ -1,57 +1,67 @@
 #include "LaminaStretch.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 namespace restenosis {
 namespace {
 
-/// Bonds of a patch of the sheet: the vectors along them, and rest lengths.
-struct Patch {
-  Eigen::Matrix3Xd vectors;
-  Eigen::ArrayXd restLength;
+using Vec2 = Eigen::Vector2d;
+using Mat3 = Eigen::Matrix3d;
+
+struct PatchBond {
+  Vec3 vector;
+  double restLength;
 };
 
 /// The bonds of the agent and of those it is bonded with, within the sheet.
-Patch patchAbout(const Wall& wall, Index centre) {
+std::vector<PatchBond> patchAbout(const Wall& wall, Index centre) {
   const AgentStore& agents = wall.agents;
-  std::vector<Vec3> vectors;
-  std::vector<double> restLengths;
+  std::vector<PatchBond> patch;
   const auto addBondsOf = [&](Index i) {
     for (const Bond& bond : wall.bonds.of(i)) {
       if (agents.kind[bond.partner] != AgentKind::iel) continue;
-      vectors.push_back(agents.position(bond.partner) - agents.position(i));
-      restLengths.push_back(bond.restLength);
+      patch.push_back({agents.position(bond.partner) - agents.position(i), bond.restLength});
     }
   };
   addBondsOf(centre);
   for (const Bond& bond : wall.bonds.of(centre))
     if (agents.kind[bond.partner] == AgentKind::iel) addBondsOf(bond.partner);
-  const auto count = static_cast<Eigen::Index>(vectors.size());
-  Patch patch{Eigen::Matrix3Xd(3, count), Eigen::ArrayXd(count)};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    patch.vectors.col(k) = vectors[static_cast<std::size_t>(k)];
-    patch.restLength[k] = restLengths[static_cast<std::size_t>(k)];
-  }
   return patch;
 }
 
-double largestPrincipalStrain(const Patch& patch) {
-  if (patch.restLength.size() == 0) return 0;
-  const Eigen::Matrix3d inertia = patch.vectors * patch.vectors.transpose();
+/// Solution of least norm of the normal equations A x = b, A symmetric: directions of which the bonds tell
+/// next to nothing, being too few or too much alike, get none of it.
+Vec3 leastSquares(const Mat3& a, const Vec3& b) {
+  constexpr double negligible = 1e-9;  // of the largest eigenvalue
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(a);
+  Vec3 x = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = eigen.eigenvalues()[k];
+    if (value <= negligible * eigen.eigenvalues()[2]) continue;
+    const Vec3 direction = eigen.eigenvectors().col(k);
+    x += direction * (direction.dot(b) / value);
+  }
+  return x;
+}
+
+double largestPrincipalStrain(const std::vector<PatchBond>& patch) {
+  if (patch.empty()) return 0;
+  Mat3 inertia = Mat3::Zero();
+  for (const PatchBond& bond : patch) inertia += bond.vector * bond.vector.transpose();
   // Eigenvalues come in rising order: the plane of the bonds is that of the last two directions.
-  const Eigen::Matrix<double, 3, 2> plane =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvectors().rightCols<2>();
-  const Eigen::MatrixX2d flat = (plane.transpose() * patch.vectors).colwise().normalized().transpose();
-  const auto u = flat.col(0).array(), v = flat.col(1).array();
-  Eigen::MatrixX3d system(flat.rows(), 3);
-  system.col(0) = 2 * u * u;
-  system.col(1) = 4 * u * v;
-  system.col(2) = 2 * v * v;
-  const Eigen::ArrayXd ratio = patch.restLength / patch.vectors.colwise().norm().transpose().array();
-  // The solution of least norm where the bonds are too few or too much alike to tell.
-  const Eigen::Vector3d e = system.completeOrthogonalDecomposition().solve((1 - ratio * ratio).matrix());
+  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors();
+  Mat3 normal = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  for (const PatchBond& bond : patch) {
+    const Vec2 u = Vec2(axes.col(1).dot(bond.vector), axes.col(2).dot(bond.vector)).normalized();
+    const Vec3 row(2 * u[0] * u[0], 4 * u[0] * u[1], 2 * u[1] * u[1]);
+    const double ratio = bond.restLength / bond.vector.norm();
+    normal += row * row.transpose();
+    right += row * (1 - ratio * ratio);
+  }
+  const Vec3 e = leastSquares(normal, right);
   const double largest = 0.5 * (e[0] + e[2]) + std::hypot(0.5 * (e[0] - e[2]), e[1]);
   constexpr double tenfold = 0.5 * (1 - 0.01);  // as far as a fit can be taken at its word
   return 1 / std::sqrt(1 - 2 * std::min(largest, tenfold)) - 1;
