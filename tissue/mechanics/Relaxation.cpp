@@ -14,7 +14,7 @@ constexpr int iterationsBetweenWaking = 5;
 
 // Agents that move are brought this far below the tolerance that wakes others: those just below it would be
 // woken again by the next small change.
-constexpr double settledShare = 0.5;
+constexpr double settledShare = 0.9;
 
 // Least stiffness an agent is given, over C r0: that of a contact 2 % of the radius deep. It bounds the step
 // of agents that are hardly touched.

@@ -14,7 +14,7 @@ namespace {
 
 // A disturbance of more agents than this share is no local one: it reaches everybody, and sleepers would only
 // hold the others back, being woken layer by layer.
-constexpr double localShare = 0.02;
+constexpr double localShare = 0.1;
 // A disturbance of fewer is local however small the tissue.
 constexpr std::size_t localCount = 500;
 
