@@ -25,7 +25,7 @@ void FlowParameters::describe(ParameterVisitor& p) {
               .unit = "Pa/m",
               .minimum = 0,
               .maximum = 1e7,
-              .source = "assumed",
+              .source = "8 mu U / R^2",
               .description = "pressure lost along the vessel, for drive = \"pressureGradient\""});
   p.quantity(density, {.key = "density",
                        .unit = "kg/m^3",

@@ -16,7 +16,7 @@ struct FlowParameters {
   std::string backend = "foam";
   std::string drive = "flowRate";
   double meanVelocity = 0.133;         ///< in the undeformed lumen [m/s]
-  double pressureGradient = 866.0;     ///< -dp/dz [Pa/m]
+  double pressureGradient = 3547.0;    ///< -dp/dz [Pa/m]; what meanVelocity needs in a lumen of 1.8 mm
   double density = 1000.0;             ///< [kg/m^3]
   double kinematicViscosity = 2.7e-6;  ///< [m^2/s]
 

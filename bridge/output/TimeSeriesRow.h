@@ -23,7 +23,7 @@ struct TimeSeriesRow {
   std::uint64_t g0 = 0, g1 = 0, sg2m = 0;       ///< SMC by phase of the cycle
   std::uint64_t synthetic = 0, inhibited = 0, covered = 0, exposed = 0;  ///< SMC by flag
   std::uint64_t flowSolves = 0;                                          ///< since the start
-  std::optional<double> lumenMovement;          ///< largest, since the last flow solve [m]
+  std::optional<double> lumenMovement;          ///< 99th percentile, since the last flow solve [m]
   std::optional<double> neointimaThicknessMax;  ///< largest of an axial position [m]
   std::optional<double> wssP5, wssP50, wssP95;  ///< area-weighted percentiles over the wall [Pa]
   std::optional<double> nitricOxideMean;        ///< over covered cells [nmol/mm^3]

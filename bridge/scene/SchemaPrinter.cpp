@@ -23,7 +23,7 @@ class RowCollector : public ParameterVisitor {
 
   void quantity(double& value, const ParameterInfo& info) override {
     const bool plain = info.unit.empty();
-    add(info, plain ? "number" : "quantity", units_.format(value, info.unit), boundsText(info));
+    add(info, plain ? "number" : "quantity", readable(value, info.unit), boundsText(info));
   }
   void integer(std::int64_t& value, const ParameterInfo& info) override {
     add(info, "whole number", fmt::format("{}", value), boundsText(info));
@@ -43,6 +43,11 @@ class RowCollector : public ParameterVisitor {
   const std::vector<Row>& rows() const { return rows_; }
 
  private:
+  /// As people write it: a value such as 0.09 mm may be a last bit away from what its digits read back as.
+  std::string readable(double value, std::string_view unit) const {
+    return fmt::format("{:.12g}{}{}", units_.fromSi(value, unit), unit.empty() ? "" : " ", unit);
+  }
+
   void add(const ParameterInfo& info, std::string type, std::string value, std::string allowed) {
     if (info.required) value = "required";
     rows_.push_back({std::string(info.key), std::move(type), std::string(info.unit),

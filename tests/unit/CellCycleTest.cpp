@@ -46,6 +46,33 @@ TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
   EXPECT_NE(cycle.drawG1Duration(5, 3), cycle.drawG1Duration(6, 3));
 }
 
+TEST(CellCycle, RecruitsCellsOneAfterAnother) {
+  CellCycleParameters parameters = exactly(16 * hour, 16 * hour);
+  parameters.recruitment = 20 * hour;
+  const CellCycle cycle(parameters, 1, hour, never);
+  AgentStore agents;
+  const Index cells = 4000, divided = cells;
+  for (Index i = 0; i <= cells; ++i) {
+    agents.append(AgentKind::smc, Vec3::Zero(), r);
+    agents.set(i, synthetic, true);
+  }
+  agents.generation[divided] = 1;
+  for (int step = 0; step < 20; ++step) {
+    CycleReport report;
+    cycle.advance(agents, report, step * hour);
+    // Four standard deviations of a binomial with probability 1/20; daughters need no recruitment.
+    EXPECT_NEAR(report.enteredG1, cells / 20 + (step == 0), 4 * std::sqrt(cells / 20.0));
+  }
+  for (Index i = 0; i < cells; ++i) {
+    const double recruited = cycle.drawRecruitment(agents.id[i]);
+    EXPECT_GE(recruited, 0.0);
+    EXPECT_LT(recruited, 20 * hour);
+    if (agents.state[i] == CycleState::g1) {
+      EXPECT_NEAR(agents.clock[i], 20 * hour - recruited, 1e-6);  // to the second, not to the step
+    }
+  }
+}
+
 TEST(CellCycle, GrowsExponentiallyToTwiceTheVolume) {
   const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
   AgentStore agents = oneCell();

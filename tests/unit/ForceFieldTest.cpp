@@ -90,20 +90,96 @@ TEST(ForceField, BalancesMomentumAndMomentOfMomentum) {
 TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
   const ForceField field(with("hertzNeoHookean"));
   Heap heap(500);
-  const auto expected = field.evaluate(heap.agents, heap.bonds);
   std::vector<Index> all(heap.agents.size());
   std::iota(all.begin(), all.end(), Index{0});
-  for (const double skin : {0.1 * r0, r0, 5 * r0}) {
+  const auto exact = packSpheres(heap.agents);
+  const FixedScale scale(r0);
+  const auto fixed = packSpheres(heap.agents, scale);
+  std::vector<AgentLoad> expected[2];
+  for (const double skin : {0.0, 0.1 * r0, r0, 5 * r0}) {
     NeighbourList list;
     list.build(heap.agents, field.range(skin));
-    std::vector<AgentLoad> loads(heap.agents.size());
-    field.evaluate(packSpheres(heap.agents), heap.agents.flags, list, heap.bonds, all, loads);
-    for (const Index i : all) {
-      ASSERT_EQ(loads[i].force(), expected[i].force());
-      ASSERT_EQ(loads[i].pressure, expected[i].pressure);
-      ASSERT_EQ(loads[i].stiffness, expected[i].stiffness);
+    PairTable pairs;
+    pairs.build(list, heap.bonds, heap.agents.flags, true);
+    for (const bool mixed : {false, true}) {
+      std::vector<AgentLoad> loads(heap.agents.size());
+      if (mixed) {
+        field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, all, loads);
+      } else {
+        field.evaluate(ExactSpheres(exact), pairs, all, loads);
+      }
+      if (skin == 0) expected[mixed] = loads;
+      for (const Index i : all) {
+        ASSERT_EQ(loads[i].force(), expected[mixed][i].force());
+        ASSERT_EQ(loads[i].pressure, expected[mixed][i].pressure);
+        ASSERT_EQ(loads[i].stiffness, expected[mixed][i].stiffness);
+      }
     }
   }
+}
+
+/// Loads in mixed precision of all agents.
+std::vector<AgentLoad> mixedLoads(const ForceField& field, const AgentStore& agents, const BondTable& bonds,
+                                  std::span<const Index> subset) {
+  NeighbourList list;
+  list.build(agents, field.range(0.4 * r0));
+  PairTable pairs;
+  pairs.build(list, bonds, agents.flags, true);
+  const FixedScale scale(r0);
+  const auto fixed = packSpheres(agents, scale);
+  std::vector<AgentLoad> loads(subset.size());
+  field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, subset, loads);
+  return loads;
+}
+
+TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {
+  for (const auto law : contactLawNames()) {
+    MechanicsParameters p = with(law);
+    p.bondAxialFactor = 1.5;
+    const ForceField field(p);
+    Heap heap(500);
+    heap.agents.setPosition(7, heap.agents.position(8));  // coinciding centres
+    heap.agents.radius[20] *= 10;
+    heap.agents.radius[21] /= 10;  // 100 : 1
+    std::vector<Index> all(heap.agents.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    const auto exact = field.evaluate(heap.agents, heap.bonds);
+    const auto mixed = mixedLoads(field, heap.agents, heap.bonds, all);
+    Vec3 sum = Vec3::Zero();
+    double largest = 0;
+    for (const Index i : all) largest = std::max(largest, exact[i].force().norm());
+    for (const Index i : all) {
+      sum += mixed[i].force();
+      EXPECT_LT((mixed[i].force() - exact[i].force()).norm(), 2e-6 * largest) << law << ' ' << i;
+      EXPECT_NEAR(mixed[i].stiffness, exact[i].stiffness, 1e-4 * exact[i].stiffness) << law << ' ' << i;
+    }
+    EXPECT_LT(sum.norm(), 1e-6 * largest);
+  }
+}
+
+TEST(ForceField, OfAnAgentDependsNeitherOnWhereItStandsNorOnWhoElseIsComputed) {
+  const ForceField field(with("hertzNeoHookean"));
+  Heap heap(300);
+  std::vector<Index> all(heap.agents.size()), some;
+  std::iota(all.begin(), all.end(), Index{0});
+  for (const Index i : all) {
+    if (i % 3 == 1) some.push_back(i);
+  }
+  const auto ofAll = mixedLoads(field, heap.agents, heap.bonds, all);
+  const auto ofSome = mixedLoads(field, heap.agents, heap.bonds, some);
+  for (std::size_t k = 0; k < some.size(); ++k) EXPECT_EQ(ofSome[k].force(), ofAll[some[k]].force());
+
+  // 75 m away, many periods of the scale; a whole number of its units, so that positions are rounded alike.
+  const double away = std::ldexp(FixedScale(r0).unit(), 44);
+  for (const Index i : all) {
+    for (auto* x : {&heap.agents.x, &heap.agents.y, &heap.agents.z})
+      (*x)[i] =
+          std::ldexp(FixedScale(r0).unit(), 6) * std::round(std::ldexp((*x)[i] / FixedScale(r0).unit(), -6));
+  }
+  const auto near = mixedLoads(field, heap.agents, heap.bonds, all);
+  for (const Index i : all) heap.agents.x[i] -= away;
+  const auto far = mixedLoads(field, heap.agents, heap.bonds, all);
+  for (const Index i : all) EXPECT_EQ(near[i].force(), far[i].force());
 }
 
 TEST(ForceField, PressesTheMiddleOfAChainByItsForceOverItsArea) {

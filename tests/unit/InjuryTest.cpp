@@ -39,6 +39,7 @@ Wall stretchedWall(double around, double along) {
 InjuryParameters alwaysFenestrated() {
   InjuryParameters parameters;
   parameters.fenestrationProbability = 1;
+  parameters.endMargin = 0;
   return parameters;
 }
 
@@ -57,9 +58,10 @@ TEST(Injury, AWallAtRestIsNotInjured) {
 TEST(Injury, FenestrationTakesTheStatedShareOfTheStretched) {
   Index fenestrated = 0, stretched = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Wall wall = stretchedWall(0.05, 0);
+    Wall wall = stretchedWall(0.2, 0);
     InjuryParameters parameters;
     parameters.fenestrationProbability = 0.3;
+    parameters.endMargin = 0;
     const InjuryReport report = injure(wall, parameters, seed);
     fenestrated += report.fenestrated, stretched += report.stretched;
   }
@@ -69,7 +71,7 @@ TEST(Injury, FenestrationTakesTheStatedShareOfTheStretched) {
 }
 
 TEST(Injury, InjuredIelBecomesSyntheticMuscleWithWhatIsNear) {
-  Wall wall = stretchedWall(0.05, 0);
+  Wall wall = stretchedWall(0.2, 0);
   const Wall before = wall;
   const InjuryReport report = injure(wall, alwaysFenestrated(), 1);
   EXPECT_EQ(report.fenestrated, report.stretched);
@@ -84,8 +86,29 @@ TEST(Injury, InjuredIelBecomesSyntheticMuscleWithWhatIsNear) {
   }
 }
 
+TEST(Injury, StaysAwayFromTheEnds) {
+  const auto injuredBetween = [](double endMargin) {
+    Wall wall = stretchedWall(0.2, 0);
+    InjuryParameters parameters = alwaysFenestrated();
+    parameters.endMargin = endMargin;
+    injure(wall, parameters, 1);
+    double first = wall.length, last = 0;
+    for (Index i = 0; i < wall.agents.size(); ++i) {
+      if (!wall.agents.has(i, injuredIel)) continue;
+      first = std::min(first, wall.agents.z[i]), last = std::max(last, wall.agents.z[i]);
+    }
+    return std::pair(first, last);
+  };
+  // Rows lie 30 um apart; the first two and the last two are fixed.
+  EXPECT_NEAR(injuredBetween(0).first, 60e-6, 1e-9);
+  EXPECT_NEAR(injuredBetween(0.05e-3).first, 120e-6, 1e-9);
+  EXPECT_NEAR(injuredBetween(0.05e-3).second, 480e-6, 1e-9);
+  // Never more than a quarter of the free part, 480 um.
+  EXPECT_NEAR(injuredBetween(1e-3).first, 180e-6, 1e-9);
+}
+
 TEST(Injury, ReachIsMeasuredInRadii) {
-  Wall wall = stretchedWall(0.05, 0);
+  Wall wall = stretchedWall(0.2, 0);
   InjuryParameters parameters = alwaysFenestrated();
   parameters.syntheticReach = 0.9;
   const InjuryReport report = injure(wall, parameters, 1);
@@ -115,6 +138,7 @@ TEST(Injury, BrokenBondsAreGoneAndTheirEndsAreCells) {
   InjuryParameters parameters;
   parameters.ielBreaks = true;
   parameters.fenestrationProbability = 0;
+  parameters.endMargin = 0;
   const InjuryReport report = injure(wall, parameters, 1);
   EXPECT_GT(report.brokenBonds, 0u);
   EXPECT_EQ(wall.bonds.bondCount(), before.bonds.bondCount() - report.brokenBonds);
@@ -166,7 +190,7 @@ TEST(Injury, RemovesTheIel) {
 
 TEST(Injury, DenudationDecidesTheEndothelium) {
   for (const char* denudation : {"full", "none"}) {
-    Wall wall = stretchedWall(0.05, 0);
+    Wall wall = stretchedWall(0.2, 0);
     InjuryParameters parameters;
     parameters.denudation = denudation;
     injure(wall, parameters, 1);

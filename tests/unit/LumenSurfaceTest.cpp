@@ -21,7 +21,9 @@ TEST(LumenSurface, IsClosedWithPlanarEnds) {
   EXPECT_EQ(report.areaOf(SurfaceRegion::strut), 0.0);
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const double z = s.centre(t).z();
-    if (s.region[t] == SurfaceRegion::inlet) EXPECT_EQ(z, 0.0);
+    if (s.region[t] == SurfaceRegion::inlet) {
+      EXPECT_EQ(z, 0.0);
+    }
     if (s.region[t] == SurfaceRegion::wall) {
       EXPECT_GT(z, 0.0);
       EXPECT_LT(z, length);

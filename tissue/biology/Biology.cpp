@@ -35,10 +35,10 @@ void Biology::updateNitricOxide(AgentStore& agents) const {
   if (nitricOxide_) nitricOxide_->apply(agents);
 }
 
-CycleReport Biology::advanceCycle(AgentStore& agents, BondTable& bonds) const {
+CycleReport Biology::advanceCycle(AgentStore& agents, BondTable& bonds, double time) const {
   CycleReport report;
   if (!cycle_) return report;
-  const auto mothers = cycle_->advance(agents, report);
+  const auto mothers = cycle_->advance(agents, report, time);
   division_->divide(agents, bonds, mothers);
   report.divisions = static_cast<Index>(mothers.size());
   return report;

@@ -48,8 +48,10 @@ class Biology {
   CoverageReport updateEndothelium(AgentStore& agents, double time) const;
   /// Sets nitric oxide from the WSS that agents hold.
   void updateNitricOxide(AgentStore& agents) const;
-  /// Takes the cells through one step and divides those that are due; `bonds` grows with the agents.
-  CycleReport advanceCycle(AgentStore& agents, BondTable& bonds) const;
+  /// Takes the cells through the step that begins at `time` [s] (by default long after deployment) and
+  /// divides those that are due; `bonds` grows with the agents.
+  CycleReport advanceCycle(AgentStore& agents, BondTable& bonds,
+                           double time = std::numeric_limits<double>::infinity()) const;
 
   /// Time of the first coverage [s]; infinity where there is never any. Before it no rule reads WSS.
   double endotheliumOnset() const;

@@ -25,12 +25,16 @@ double CellCycle::drawG1Duration(AgentId id, std::uint32_t generation) const {
   return std::max(0.0, p_.g1Mean + p_.g1Spread * deviate);
 }
 
+double CellCycle::drawRecruitment(AgentId id) const {
+  return RandomStream(seed_, id, 0, RandomPurpose::recruitment).uniform() * p_.recruitment;
+}
+
 bool CellCycle::mayCycle(const AgentStore& agents, Index i) const {
   return agents.has(i, synthetic) && !agents.has(i, inhibited) &&
          agents.nitricOxide[i] < nitricOxideThreshold_;
 }
 
-std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i) const {
+std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) const {
   std::uint8_t passed = 0;
   const auto pass = [&passed](Passage passage) { passed |= static_cast<std::uint8_t>(passage); };
   double& clock = agents.clock[i];
@@ -43,6 +47,10 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i) const {
     return passed;
   }
   if (agents.state[i] == CycleState::g0) {
+    if (time < p_.recruitment && agents.generation[i] == 0) {
+      left = std::min(left, time + step_ - drawRecruitment(agents.id[i]));
+      if (left <= 0) return passed;
+    }
     left += clock;
     clock = 0;
     agents.state[i] = CycleState::g1;
@@ -74,12 +82,12 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i) const {
   return passed;
 }
 
-std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report) const {
+std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report, double time) const {
   // Each cell reads and writes itself only, so the order in which cells are taken cannot matter.
   std::vector<std::uint8_t> passed(agents.size(), 0);
 #pragma omp parallel for schedule(static) if (agents.size() > parallelThreshold)
   for (Index i = 0; i < agents.size(); ++i) {
-    if (agents.kind[i] == AgentKind::smc && !agents.has(i, fixed)) passed[i] = advanceCell(agents, i);
+    if (agents.kind[i] == AgentKind::smc && !agents.has(i, fixed)) passed[i] = advanceCell(agents, i, time);
   }
 
   std::vector<Index> dividing;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "AgentStore.h"
@@ -24,6 +25,10 @@ struct CycleReport {
 /// to twice the volume at birth, and is exactly that at its end. Agents flagged `fixed` hold the ends of the
 /// vessel and do not cycle.
 ///
+/// Recruitment: injury does not wake all cells in the same hour. A cell that never divided may leave G0 only
+/// after a moment of its own within `recruitment`; without it (0, the model as published) all go through
+/// their first cycle together, and the tissue grows in stairs until the spread of G1 has blurred them.
+///
 /// Phases need not be multiples of the step: what a step leaves over after a phase goes to the next one,
 /// after a division to mother and daughter, who keep it on their clocks in G0 and spend it when the next
 /// checkpoint lets them pass (one that holds them back takes it). A cell divides at most once a step; a cycle
@@ -35,19 +40,25 @@ class CellCycle {
   CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
             double nitricOxideThreshold);
 
-  /// Takes every cell through one step. Returns the cells that are to divide, in ascending order of their
+  /// Takes every cell through the step that begins at `time` [s] after deployment; only recruitment reads the
+  /// time, and by default it is over. Returns the cells that are to divide, in ascending order of their
   /// ids, their clocks holding what the step left over; the caller divides them (Division).
-  std::vector<Index> advance(AgentStore& agents, CycleReport& report) const;
+  std::vector<Index> advance(AgentStore& agents, CycleReport& report,
+                             double time = std::numeric_limits<double>::infinity()) const;
 
   /// Length of G1 [s]: normal, truncated at three standard deviations and at zero, drawn by (seed, id,
   /// generation).
   double drawG1Duration(AgentId id, std::uint32_t generation) const;
 
+  /// When a cell that never divided may first leave rest [s after deployment]: uniform over the time of
+  /// recruitment, drawn by (seed, id).
+  double drawRecruitment(AgentId id) const;
+
  private:
   enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8 };
 
   bool mayCycle(const AgentStore& agents, Index i) const;
-  std::uint8_t advanceCell(AgentStore& agents, Index i) const;
+  std::uint8_t advanceCell(AgentStore& agents, Index i, double time) const;
 
   CellCycleParameters p_;
   std::uint64_t seed_;

@@ -21,6 +21,13 @@ void CellCycleParameters::describe(ParameterVisitor& p) {
                             .maximum = 10000,
                             .source = "ISR3D",
                             .description = "duration of S, G2 and M together"});
+  p.quantity(recruitment, {.key = "recruitment",
+                           .unit = "h",
+                           .minimum = 0,
+                           .maximum = 10000,
+                           .source = "assumed",
+                           .description = "time over which cells that never divided may first leave rest, "
+                                          "each at a random moment; 0: all at once"});
   p.quantity(daughterDisplacement, {.key = "daughterDisplacement",
                                     .minimum = 0.01,
                                     .maximum = 1,

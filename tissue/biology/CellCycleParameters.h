@@ -12,6 +12,7 @@ struct CellCycleParameters {
   double g1Mean = 16 * 3600.0;        ///< [s]
   double g1Spread = 2 * 3600.0;       ///< standard deviation [s]
   double sg2mDuration = 16 * 3600.0;  ///< [s]
+  double recruitment = 0;             ///< time over which the first cells leave rest one after another [s]
   double daughterDisplacement = 0.4;  ///< of mother and daughter from the mother's centre, over her radius
 
   void describe(ParameterVisitor& p);

@@ -20,12 +20,16 @@ struct BondAttraction {
   double stiffness(double rest, double sum, double axialCosine2) const {
     return modulus * (1 + (axialFactor - 1) * axialCosine2) * sum * sum / rest;
   }
-  /// Both for several bonds at once.
-  template <int n>
-  void evaluate(const Numbers<n>& distance, const Numbers<n>& rest, const Numbers<n>& sum,
-                const Numbers<n>& axialCosine2, Numbers<n>& pulls, Numbers<n>& slopes) const {
-    slopes = modulus * (1.0 + (axialFactor - 1) * axialCosine2) * sum * sum / rest;
-    pulls = slopes * (distance - rest).max(0.0);
+  /// Both for several bonds at once, slack ones having neither pull nor slope. A bond of infinite rest length
+  /// is no bond.
+  template <class Real, int n>
+  void evaluate(const Numbers<Real, n>& distance, const Numbers<Real, n>& rest, const Numbers<Real, n>& sum,
+                const Numbers<Real, n>& axialCosine2, Numbers<Real, n>& pulls,
+                Numbers<Real, n>& slopes) const {
+    slopes = (static_cast<Real>(modulus) * (Real{1} + static_cast<Real>(axialFactor - 1) * axialCosine2) *
+              sum * sum / rest)
+                 .where(rest < distance);
+    pulls = slopes * (distance - rest).max(0);
   }
   /// Energy of a bond across the axis [J].
   double energy(double distance, double rest, double sum) const {

@@ -13,31 +13,46 @@ inline constexpr std::ptrdiff_t chunkSize = 256;
 /// Shorter loops are not worth waking other threads for.
 inline constexpr std::ptrdiff_t parallelFrom = 2048;
 
+/// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel.
+template <class F>
+void forEachPiece(std::size_t count, F&& f) {
+  const auto end = static_cast<std::ptrdiff_t>(count);
+#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
+  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize)
+    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)));
+}
+
 /// Calls f(k) for k in [0, count), pieces in parallel.
 template <class F>
 void forEachInChunks(std::size_t count, F&& f) {
-  const auto end = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
-  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
-    for (std::ptrdiff_t k = begin; k < std::min(end, begin + chunkSize); ++k) f(static_cast<std::size_t>(k));
-  }
+  forEachPiece(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) f(k);
+  });
 }
 
-/// Lets f(k, part) add element k to the `part` of its piece, then joins the parts in order: total.join(part).
+/// Lets f(begin, end, part) add elements [begin, end) to the `part` of a piece, then joins the parts in
+/// order: total.join(part).
 template <class Sum, class F>
-Sum reduceInChunks(std::size_t count, F&& f) {
+Sum reducePieces(std::size_t count, F&& f) {
   const auto end = static_cast<std::ptrdiff_t>(count);
   std::vector<Sum> parts((count + chunkSize - 1) / chunkSize);
 #pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
   for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
     Sum part{};
-    for (std::ptrdiff_t k = begin; k < std::min(end, begin + chunkSize); ++k)
-      f(static_cast<std::size_t>(k), part);
+    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)), part);
     parts[begin / chunkSize] = part;
   }
   Sum total{};
   for (const Sum& part : parts) total.join(part);
   return total;
+}
+
+/// Lets f(k, part) add element k to the `part` of its piece, then joins the parts in order: total.join(part).
+template <class Sum, class F>
+Sum reduceInChunks(std::size_t count, F&& f) {
+  return reducePieces<Sum>(count, [&](std::size_t begin, std::size_t end, Sum& part) {
+    for (std::size_t k = begin; k < end; ++k) f(k, part);
+  });
 }
 
 }  // namespace restenosis

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "Lanes.h"
+
 namespace restenosis {
 
 /// Weak attraction that keeps daughters at the tissue (assumed): between separated agents of which at least
@@ -17,6 +19,14 @@ struct Cohesion {
   }
   /// Largest slope of the pull [N/m].
   double stiffness(double sum) const { return modulus * sum; }
+  /// Both for several pairs at once, slopes of acting pairs only.
+  template <class Real, int n>
+  void evaluate(const Numbers<Real, n>& gap, const Numbers<Real, n>& sum, Numbers<Real, n>& pulls,
+                Numbers<Real, n>& slopes) const {
+    const Numbers<Real, n> reach = gap.min(static_cast<Real>(range - 1) * sum - gap).max(0);
+    slopes = (static_cast<Real>(modulus) * sum).where(Real{0} < reach);
+    pulls = slopes * reach;
+  }
   /// Energy, zero out of range [J].
   double energy(double gap, double sum) const {
     const double end = (range - 1) * sum;

@@ -12,7 +12,7 @@ namespace {
 
 template <class Law>
 constexpr ContactLaw entry() {
-  return {Law::name, &evaluatePairs<Law>,
+  return {Law::name, &evaluatePairs<Law, FixedSpheres>, &evaluatePairs<Law, ExactSpheres>,
           [](double modulus, double d, double R) { return Law(modulus).energy(d, R); },
           [](double R) { return Law::validOverlap(R); }};
 }

@@ -7,19 +7,22 @@
 
 namespace restenosis {
 
-/// All that the force loop reads of the agents.
+/// All that the force loop reads besides the agents.
 struct ForceInput {
-  std::span<const Sphere> spheres;
-  std::span<const std::uint8_t> flags;
-  const NeighbourList& neighbours;
-  const BondTable& bonds;
+  const PairTable& pairs;
   const MechanicsParameters& parameters;
 };
 
 /// One contact law in the table: the force loop compiled for it, so that no pair pays for the choice.
 struct ContactLaw {
+  /// Sets loads[k] for the k-th agent of `subset`, which is ascending; in the calling thread.
+  template <class Spheres>
+  using Loop = void (*)(const ForceInput&, const Spheres&, std::span<const Index> subset,
+                        std::span<AgentLoad> loads);
+
   std::string_view name;
-  void (*evaluate)(const ForceInput&, std::span<const Index> subset, std::span<AgentLoad> load);
+  Loop<FixedSpheres> evaluateMixed;
+  Loop<ExactSpheres> evaluateExact;
   double (*energy)(double modulus, double overlap, double reducedRadius);
   double (*validOverlap)(double reducedRadius);
 };

@@ -9,13 +9,14 @@ namespace restenosis {
 namespace {
 
 // Bitzek et al. 2006, except the time steps, which are in units of sqrt(mass / stiffness) here.
-constexpr double firstTimeStep = 0.4, largestTimeStep = 1.0;
+constexpr double firstTimeStep = 0.4, largestTimeStep = 1.4;
 constexpr double grow = 1.1, shrink = 0.5;
 constexpr double firstMixing = 0.1, mixingDecay = 0.99;
 constexpr int stepsBeforeGrowth = 5;
+constexpr double uphillShare = 0.5;  // of its velocity that an agent keeps while it moves against its force
 
 struct Sums {
-  double power = 0;     ///< F . v, before agents moving uphill are stopped
+  double power = 0;     ///< F . v, before agents moving uphill are slowed
   double velocity = 0;  ///< v . M v
   double force = 0;     ///< F . F / M
   void join(const Sums& o) { power += o.power, velocity += o.velocity, force += o.force; }
@@ -40,7 +41,7 @@ void FireMinimiser::step(const MinimiserView& view) {
     Vec3& velocity = view.velocity[i];
     const double power = force.dot(velocity);
     part.power += power;
-    if (!(power > 0)) velocity.setZero();
+    if (!(power > 0)) velocity *= force.isZero(0) ? 0 : uphillShare;
     part.velocity += velocity.dot(velocity.cwiseQuotient(mobility));
     part.force += force.dot(force.cwiseProduct(mobility));
   });

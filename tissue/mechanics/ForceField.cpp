@@ -17,20 +17,27 @@ NeighbourRange ForceField::range(double skin) const {
           .skin = skin};
 }
 
-void ForceField::evaluate(std::span<const Sphere> spheres, std::span<const std::uint8_t> flags,
-                          const NeighbourList& neighbours, const BondTable& bonds,
-                          std::span<const Index> subset, std::span<AgentLoad> load) const {
-  law_->evaluate({spheres, flags, neighbours, bonds, parameters_}, subset, load);
+void ForceField::evaluate(const ExactSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+                          std::span<AgentLoad> loads) const {
+  law_->evaluateExact({pairs, parameters_}, spheres, subset, loads);
+}
+
+void ForceField::evaluate(const FixedSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+                          std::span<AgentLoad> loads) const {
+  law_->evaluateMixed({pairs, parameters_}, spheres, subset, loads);
 }
 
 std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const BondTable& bonds) const {
   NeighbourList neighbours;
   neighbours.build(agents, range(0));
+  PairTable pairs;
+  pairs.build(neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0);
   std::vector<Index> all(agents.size());
   std::iota(all.begin(), all.end(), Index{0});
-  std::vector<AgentLoad> load(agents.size());
-  evaluate(packSpheres(agents), agents.flags, neighbours, bonds, all, load);
-  return load;
+  std::vector<AgentLoad> loads(agents.size());
+  const std::vector<Sphere> spheres = packSpheres(agents);
+  evaluate(ExactSpheres(spheres), pairs, all, loads);
+  return loads;
 }
 
 double ForceField::energy(const AgentStore& agents, const BondTable& bonds) const {
@@ -58,23 +65,16 @@ double ForceField::energy(const AgentStore& agents, const BondTable& bonds) cons
   return total;
 }
 
-double ForceField::overlapOverValid(std::span<const Sphere> spheres, const NeighbourList& neighbours,
+double ForceField::overlapOverValid(const AgentStore& agents, const NeighbourList& neighbours,
                                     Index i) const {
   double largest = 0;
   for (const Index j : neighbours.of(i)) {
-    const Sphere &a = spheres[i], &b = spheres[j];
-    const double radii = a.r + b.r;
-    const double overlap = radii - std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-    if (overlap > 0) largest = std::max(largest, overlap / law_->validOverlap(a.r * b.r / radii));
+    const double radii = agents.radius[i] + agents.radius[j];
+    const double overlap = radii - (agents.position(i) - agents.position(j)).norm();
+    if (overlap > 0)
+      largest = std::max(largest, overlap / law_->validOverlap(agents.radius[i] * agents.radius[j] / radii));
   }
   return largest;
-}
-
-std::vector<Sphere> packSpheres(const AgentStore& agents) {
-  std::vector<Sphere> spheres(agents.size());
-  for (Index i = 0; i < agents.size(); ++i)
-    spheres[i] = {agents.x[i], agents.y[i], agents.z[i], agents.radius[i]};
-  return spheres;
 }
 
 }  // namespace restenosis

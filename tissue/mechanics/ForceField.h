@@ -8,13 +8,10 @@
 #include "BondTable.h"
 #include "MechanicsParameters.h"
 #include "NeighbourList.h"
+#include "PairTable.h"
+#include "Spheres.h"
 
 namespace restenosis {
-
-/// An agent as the force loop reads it: one cache half-line.
-struct alignas(32) Sphere {
-  double x, y, z, r;  ///< [m]
-};
 
 /// What acts on one agent.
 struct AgentLoad {
@@ -27,9 +24,11 @@ struct AgentLoad {
 
 /// The forces between agents (model 3): contact, bonds, cohesion.
 ///
-/// Gathered agent by agent: contacts in ascending order of neighbours, then bonds in ascending order of
-/// partners. Pairs out of range add nothing, so every list that holds all pairs in range gives the same bits,
-/// and so does every number of threads.
+/// Gathered agent by agent in ascending order of partners. Pairs out of range add nothing, so every list that
+/// holds all pairs in range gives the same bits, and so does every number of threads.
+///
+/// In mixed precision, differences of positions are exact, and what follows is in single precision: a force
+/// has an error of some 10^-6 of the largest pair force on its agent.
 ///
 /// The virial stress of an agent takes half of each pair's branch vector b (from centre to centre):
 /// sigma = -(1/V) sum 1/2 b (x) F with F the force on the agent and b pointing to it; pressure =
@@ -42,12 +41,14 @@ class ForceField {
   /// Which pairs a neighbour list must hold.
   NeighbourRange range(double skin) const;
 
-  /// Computes load[i] for every i in `subset`.
-  void evaluate(std::span<const Sphere> spheres, std::span<const std::uint8_t> flags,
-                const NeighbourList& neighbours, const BondTable& bonds, std::span<const Index> subset,
-                std::span<AgentLoad> load) const;
+  /// Sets loads[k] for the k-th agent of `subset`, which is ascending. In the calling thread: for use in
+  /// parallel loops.
+  void evaluate(const ExactSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+                std::span<AgentLoad> loads) const;
+  void evaluate(const FixedSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+                std::span<AgentLoad> loads) const;
 
-  /// Loads of all agents, for those who need them once: makes its own neighbour list.
+  /// Loads of all agents in double precision, for those who need them once: makes its own neighbour list.
   std::vector<AgentLoad> evaluate(const AgentStore& agents, const BondTable& bonds) const;
 
   /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].
@@ -55,14 +56,11 @@ class ForceField {
 
   /// Largest overlap of agent i with a neighbour over the overlap up to which the contact law is the
   /// published one.
-  double overlapOverValid(std::span<const Sphere> spheres, const NeighbourList& neighbours, Index i) const;
+  double overlapOverValid(const AgentStore& agents, const NeighbourList& neighbours, Index i) const;
 
  private:
   MechanicsParameters parameters_;
   const struct ContactLaw* law_;
 };
-
-/// The agents as the force loop reads them.
-std::vector<Sphere> packSpheres(const AgentStore& agents);
 
 }  // namespace restenosis

@@ -12,8 +12,7 @@ namespace restenosis {
 /// spheres.
 ///
 /// A contact law has these functions of the overlap d >= 0 [m] and the reduced radius R > 0 [m]; an object of
-/// it holds the material. `Real` is double, or a small array of doubles on which the functions work element
-/// by element.
+/// it holds the material. `evaluate` works on several pairs at once, in single or double precision.
 class HertzContact {
  public:
   static constexpr std::string_view name = "hertz";
@@ -22,11 +21,12 @@ class HertzContact {
   explicit HertzContact(double modulus) : effectiveModulus_(6 * modulus) {}
 
   /// Sets the force [N] and its slope dF/dd [N/m].
-  template <int n>
-  void evaluate(const Numbers<n>& d, const Numbers<n>& R, Numbers<n>& force, Numbers<n>& stiffness) const {
-    const Numbers<n> a = (R * d).sqrt();
-    force = (4.0 / 3.0 * effectiveModulus_) * a * d;
-    stiffness = (2 * effectiveModulus_) * a;
+  template <class Real, int n>
+  void evaluate(const Numbers<Real, n>& d, const Numbers<Real, n>& R, Numbers<Real, n>& force,
+                Numbers<Real, n>& stiffness) const {
+    const Numbers<Real, n> a = (R * d).sqrt();
+    force = static_cast<Real>(4.0 / 3.0 * effectiveModulus_) * a * d;
+    stiffness = static_cast<Real>(2 * effectiveModulus_) * a;
   }
   /// Integral of F from 0 to d [J]
   double energy(double d, double R) const {

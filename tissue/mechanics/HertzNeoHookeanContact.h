@@ -27,18 +27,20 @@ class HertzNeoHookeanContact {
   explicit HertzNeoHookeanContact(double modulus) : modulus_(modulus) {}
 
   /// Sets the force [N] and its slope dF/dd [N/m].
-  template <int n>
-  void evaluate(const Numbers<n>& d, const Numbers<n>& R, Numbers<n>& force, Numbers<n>& stiffness) const {
-    const Numbers<n> e = (strainFactor * (d / R).sqrt()).min(largestStrain);
-    const Numbers<n> past = (d - overlapOfStrain * largestStrain * largestStrain * R).max(0.0);
-    const Numbers<n> inverse = 1.0 / (1.0 - e);
-    const Numbers<n> inverse2 = inverse * inverse;
-    stiffness = (std::numbers::pi * modulus_) * R * e * (9.0 - e * (15.0 - e * (11.0 - 3.0 * e))) * inverse2 *
-                inverse;
+  template <class Real, int n>
+  void evaluate(const Numbers<Real, n>& d, const Numbers<Real, n>& R, Numbers<Real, n>& force,
+                Numbers<Real, n>& stiffness) const {
+    using Values = Numbers<Real, n>;
+    constexpr auto slope = static_cast<Real>(strainFactor), largest = static_cast<Real>(largestStrain),
+                   validOverR = static_cast<Real>(overlapOfStrain * largestStrain * largestStrain);
+    const Values e = (slope * (d / R).sqrt()).min(largest);
+    const Values past = (d - validOverR * R).max(0);
+    const Values inverse = Real{1} / (Real{1} - e);
+    const Values scaled = static_cast<Real>(std::numbers::pi * modulus_) * R * e * inverse * inverse;
+    stiffness = scaled * inverse * (Real{9} - e * (Real{15} - e * (Real{11} - Real{3} * e)));
     // 2 pi C a^2 (l^-2 - l) with a = 3 pi R e / 4 and l^-2 - l = e (3 - 3e + e^2) / l^2, free of
     // cancellation.
-    force = (2 * std::numbers::pi * overlapOfStrain * modulus_) * R * R * e * e * e * (3.0 - e * (3.0 - e)) *
-                inverse2 +
+    force = static_cast<Real>(2 * overlapOfStrain) * scaled * R * e * e * (Real{3} - e * (Real{3} - e)) +
             stiffness * past;
   }
   /// Integral of F from 0 to d [J]

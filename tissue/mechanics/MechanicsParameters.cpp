@@ -47,6 +47,11 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
            {.key = "minimiser",
             .source = "assumed",
             .description = "way to the equilibrium: FIRE, or T6's overdamped motion"});
+  p.choice(
+      precision, {"automatic", "mixed", "double"},
+      {.key = "precision",
+       .source = "assumed",
+       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 0.001 on"});
   p.quantity(tolerance, {.key = "tolerance",
                          .minimum = 1e-8,
                          .maximum = 10,

@@ -20,6 +20,7 @@ struct MechanicsParameters {
   double cohesionRange = 1.2;       ///< it ends at this times R1 + R2
   double axialForceFactor = 2.0;    ///< T6's factor on axial forces: a mobility
   std::string minimiser = "fire";
+  std::string precision = "automatic";    ///< of the forces on the way to equilibrium
   double tolerance = 0.04;                ///< largest residual over F_char = C r0^2
   double stepLimit = 0.05;                ///< largest move of an agent in one step, over its radius
   std::int64_t maximumIterations = 5000;  ///< of one relaxation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -31,8 +32,9 @@ struct RelaxationFailed : std::runtime_error {
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
 /// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
 ///
-/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved;
-/// the rest are checked before the relaxation ends. Results do not depend on the number of threads.
+/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved,
+/// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
+/// number of threads.
 class Relaxation {
  public:
   /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
@@ -47,6 +49,9 @@ class Relaxation {
   double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
 
  private:
+  /// How to compute in mixed precision; nothing where double precision is asked for or needed.
+  std::optional<FixedScale> scaleFor(const AgentStore& agents, const BondTable& bonds) const;
+
   MechanicsParameters parameters_;
   ForceField field_;
   double referenceRadius_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,6 +11,17 @@
 
 namespace restenosis {
 namespace {
+
+// A disturbance of more agents than this share is no local one: it reaches everybody, and sleepers would only
+// hold the others back, being woken layer by layer.
+constexpr double localShare = 0.1;
+// A disturbance of fewer is local however small the tissue.
+constexpr std::size_t localCount = 500;
+
+// Sleepers beside moving agents wake above this many times the tolerance, the others when all are checked in
+// double precision. It is above what mixed precision errs by, so that an agent that is merely listed, its
+// force unchanged, never wakes: who wakes must not depend on the list.
+constexpr double wakingShare = 1.1;
 
 struct Any {
   bool found = false;
@@ -41,7 +53,8 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
 
 RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
                                std::span<const Constraint* const> constraints, const ForceField& field,
-                               double softest, double tolerance, NeighbourList& neighbours, double skin)
+                               double softest, double tolerance, NeighbourList& neighbours, double skin,
+                               std::optional<FixedScale> scale)
     : agents_(agents),
       bonds_(bonds),
       constraints_(constraints),
@@ -50,7 +63,7 @@ RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
       tolerance_(tolerance),
       neighbours_(neighbours),
       range_(field.range(skin)),
-      load_(agents.size()),
+      scale_(scale),
       force_(agents.size(), Vec3::Zero()),
       stiffness_(agents.size(), softest),
       residual_(agents.size(), 0.0),
@@ -61,17 +74,22 @@ RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
   for (Index i = 0; i < agents.size(); ++i) {
     if (isFree(i)) free_.push_back(i);
   }
-  spheres_ = packSpheres(agents);
+  if (scale_) {
+    fixed_ = packSpheres(agents, *scale_);
+  } else {
+    spheres_ = packSpheres(agents);
+  }
   if (!constraints_.empty()) {
     forEachInChunks(free_.size(),
                     [&](std::size_t k) { place(free_[k], projected(free_[k], agents_.position(free_[k]))); });
   }
+  updatePairs();
+  wakeAnyone();
+}
+
+void RelaxingAgents::updatePairs() {
   neighbours_.update(agents_, range_);
-  evaluate(free_);
-  std::vector<Index> restless;
-  std::ranges::copy_if(free_, std::back_inserter(restless),
-                       [&](Index i) { return residual_[i] > tolerance_; });
-  wake(restless);
+  pairs_.build(neighbours_, bonds_, agents_.flags, range_.daughterFactor > range_.factor);
 }
 
 bool RelaxingAgents::isFree(Index i) const {
@@ -85,26 +103,50 @@ Vec3 RelaxingAgents::projected(Index i, Vec3 position) const {
 
 void RelaxingAgents::place(Index i, const Vec3& position) {
   agents_.setPosition(i, position);
-  spheres_[i].x = position.x(), spheres_[i].y = position.y(), spheres_[i].z = position.z();
+  if (scale_) {
+    fixed_[i] = scale_->of(position, agents_.radius[i]);
+  } else {
+    spheres_[i] = {position.x(), position.y(), position.z(), agents_.radius[i]};
+  }
 }
 
 void RelaxingAgents::evaluate(std::span<const Index> subset) {
-  field_.evaluate(spheres_, agents_.flags, neighbours_, bonds_, subset, load_);
-  const auto bad = reduceInChunks<Any>(subset.size(), [&](std::size_t k, Any& part) {
-    const Index i = subset[k];
-    Vec3 force = load_[i].force();
-    for (const Constraint* constraint : constraints_) constraint->release(agents_, i, force);
-    force_[i] = force;
-    stiffness_[i] = std::max(softest_, load_[i].stiffness);
-    residual_[i] = force.norm();
-    if (!part.found && !std::isfinite(residual_[i])) part = {true, i};
+  if (scale_) {
+    evaluate(FixedSpheres(fixed_, scale_->unit()), subset);
+  } else {
+    evaluate(ExactSpheres(spheres_), subset);
+  }
+}
+
+void RelaxingAgents::evaluateExactly() {
+  if (!scale_) return evaluate(free_);
+  const std::vector<Sphere> spheres = packSpheres(agents_);
+  evaluate(ExactSpheres(spheres), free_);
+}
+
+template <class Spheres>
+void RelaxingAgents::evaluate(const Spheres& spheres, std::span<const Index> subset) {
+  const auto bad = reducePieces<Any>(subset.size(), [&](std::size_t begin, std::size_t end, Any& part) {
+    std::array<AgentLoad, chunkSize> loads;
+    field_.evaluate(spheres, pairs_, subset.subspan(begin, end - begin), loads);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index i = subset[k];
+      const AgentLoad& load = loads[k - begin];
+      Vec3 force = load.force();
+      for (const Constraint* constraint : constraints_) constraint->release(agents_, i, force);
+      force_[i] = force;
+      stiffness_[i] = std::max(softest_, load.stiffness);
+      residual_[i] = force.norm();
+      agents_.pressure[i] = load.pressure;
+      if (!part.found && !std::isfinite(residual_[i])) part = {true, i};
+    }
   });
   evaluations_ += subset.size();
   if (bad.found) {
-    const auto& f = load_[bad.agent];
+    const Vec3& f = force_[bad.agent];
     throw std::runtime_error(fmt::format(
         "the force on agent {} at ({}, {}, {}) m is not finite: ({}, {}, {}) N", agents_.id[bad.agent],
-        agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.fx, f.fy, f.fz));
+        agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.x(), f.y(), f.z()));
   }
 }
 
@@ -117,7 +159,7 @@ void RelaxingAgents::advance(Minimiser& minimiser) {
     place(i, position);
     if (!part.found && neighbours_.movedTooFar(i, position)) part = {true, i};
   });
-  if (far.found) neighbours_.update(agents_, range_);
+  if (far.found) updatePairs();
   evaluate(awake_);
 }
 
@@ -136,9 +178,49 @@ bool RelaxingAgents::wakeDisturbed() {
   for (const Index j : beside) marked_[j] = 0;
   std::ranges::sort(beside);
   evaluate(beside);
-  std::erase_if(beside, [&](Index j) { return residual_[j] <= tolerance_; });
-  wake(beside);
-  return !beside.empty();
+  std::erase_if(beside, [&](Index j) { return residual_[j] <= wakingShare * tolerance_; });
+  const bool any = !beside.empty();
+  wakeAround(std::move(beside));
+  return any;
+}
+
+bool RelaxingAgents::wakeAnyone() {
+  evaluateExactly();
+  std::vector<Index> restless;
+  std::ranges::copy_if(free_, std::back_inserter(restless),
+                       [&](Index i) { return !isAwake_[i] && residual_[i] > tolerance_; });
+  wakeAround(std::move(restless));
+  return awakeResidual() > tolerance_;
+}
+
+void RelaxingAgents::wakeAround(std::vector<Index> restless) {
+  wake(restless);
+  std::vector<Index> sleepers;
+  const auto consider = [&](Index j) {
+    if (isAwake_[j] || marked_[j] || !isFree(j)) return;
+    marked_[j] = 1;
+    sleepers.push_back(j);
+  };
+  for (const Index i : restless) {
+    // Those that touch, not all listed: who wakes must not depend on the list.
+    for (const Index j : neighbours_.of(i)) {
+      const double radii = agents_.radius[i] + agents_.radius[j];
+      if ((agents_.position(i) - agents_.position(j)).squaredNorm() < radii * radii) consider(j);
+    }
+    for (const Bond& bond : bonds_.of(i)) consider(bond.partner);
+  }
+  for (const Index j : sleepers) marked_[j] = 0;
+  std::ranges::sort(sleepers);
+  wake(sleepers);
+  const auto local = static_cast<std::size_t>(localShare * static_cast<double>(free_.size()));
+  if (awake_.size() > std::max(localCount, local)) {
+    std::vector<Index> rest;
+    std::ranges::copy_if(free_, std::back_inserter(rest), [&](Index i) { return !isAwake_[i]; });
+    wake(rest);
+    std::ranges::copy(rest, std::back_inserter(sleepers));
+    std::ranges::sort(sleepers);
+  }
+  evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
 }
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
@@ -161,13 +243,9 @@ Index RelaxingAgents::worstAgent() const {
   return static_cast<Index>(std::ranges::max_element(residual_) - residual_.begin());
 }
 
-void RelaxingAgents::storePressures() {
-  for (const Index i : free_) agents_.pressure[i] = load_[i].pressure;
-}
-
 std::uint64_t RelaxingAgents::agentsBeyondLaw() const {
   return static_cast<std::uint64_t>(std::ranges::count_if(
-      awake_, [&](Index i) { return field_.overlapOverValid(spheres_, neighbours_, i) > 1; }));
+      awake_, [&](Index i) { return field_.overlapOverValid(agents_, neighbours_, i) > 1; }));
 }
 
 }  // namespace restenosis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,23 +15,28 @@ namespace restenosis {
 /// The agents during one relaxation: which of them are awake, the forces on them, and the neighbour list.
 ///
 /// Awake agents move; all others sleep. Only those next to an agent that moved can have a force that changed,
-/// so checking them from time to time is enough, and an iteration costs what the awake agents cost.
+/// so checking them from time to time is enough, and an iteration costs what the awake agents cost. A
+/// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
   /// Projects every free agent onto its constraints, computes all forces and wakes the agents above
   /// `tolerance` [N]. `neighbours` is brought up to date, at little cost where it is nearly so; `skin` [m] is
-  /// how far beyond contact it looks.
+  /// how far beyond contact it looks. On the way forces are computed in mixed precision if `scale` says how;
+  /// who is at rest at the beginning and at the end is decided in double precision.
   RelaxingAgents(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
                  const ForceField& field, double softest, double tolerance, NeighbourList& neighbours,
-                 double skin);
+                 double skin, std::optional<FixedScale> scale);
 
   /// One step of the awake agents, then the forces on them.
   void advance(Minimiser& minimiser);
-  /// Computes the forces on all sleeping agents next to an awake one and wakes those above the tolerance;
-  /// tells whether there were any.
+  /// Computes the forces on all sleeping agents next to an awake one and wakes those clearly above the
+  /// tolerance; tells whether there were any.
   bool wakeDisturbed();
 
   bool allAsleep() const { return awake_.empty(); }
+  /// Computes all forces in double precision and wakes the agents above the tolerance; tells whether there
+  /// were any.
+  bool wakeAnyone();
   /// Largest residual of the awake agents [N].
   double awakeResidual() const;
   /// Largest residual of all free agents, as last computed [N].
@@ -38,8 +44,6 @@ class RelaxingAgents {
   /// Agent with the largest residual of all.
   Index worstAgent() const;
   std::uint64_t evaluations() const { return evaluations_; }
-  /// Writes the pressures of all free agents to the store.
-  void storePressures();
   /// Pairs that overlap by more than the contact law is valid for.
   std::uint64_t agentsBeyondLaw() const;
 
@@ -47,7 +51,15 @@ class RelaxingAgents {
   bool isFree(Index i) const;
   Vec3 projected(Index i, Vec3 position) const;
   void place(Index i, const Vec3& position);
+  void updatePairs();
+  /// Forces on the agents of `subset`, in mixed precision where it is used.
   void evaluate(std::span<const Index> subset);
+  void evaluateExactly();
+  template <class Spheres>
+  void evaluate(const Spheres& spheres, std::span<const Index> subset);
+  /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
+  /// for its surroundings; all, if these are many.
+  void wakeAround(std::vector<Index> restless);
   void wake(const std::vector<Index>& sleepers);
 
   AgentStore& agents_;
@@ -59,11 +71,13 @@ class RelaxingAgents {
 
   NeighbourList& neighbours_;
   NeighbourRange range_;
-  std::vector<Sphere> spheres_;
-  std::vector<AgentLoad> load_;
-  std::vector<Vec3> force_;        ///< what constraints leave of the load
-  std::vector<double> stiffness_;  ///< of the load, at least softest_
-  std::vector<double> residual_;   ///< length of force_, 0 for agents that are not free
+  PairTable pairs_;
+  std::optional<FixedScale> scale_;
+  std::vector<FixedSphere> fixed_;  ///< in mixed precision only
+  std::vector<Sphere> spheres_;     ///< in double precision only
+  std::vector<Vec3> force_;         ///< what constraints leave of the load
+  std::vector<double> stiffness_;   ///< of the load, at least softest_
+  std::vector<double> residual_;    ///< length of force_, 0 for agents that are not free
   std::vector<Vec3> velocity_;
   std::vector<std::uint8_t> isAwake_;
   std::vector<Index> free_, awake_;

@@ -5,26 +5,12 @@
 #include <limits>
 
 #include "Cylindrical.h"
+#include "LaminaStretch.h"
 #include "NeighbourQuery.h"
 #include "RandomStream.h"
 
 namespace restenosis {
 namespace {
-
-/// Calls f(a, b, strain) once for every bond of two IEL agents of which at least one may move.
-template <class F>
-void forEachIelBond(const Wall& wall, F&& f) {
-  const AgentStore& agents = wall.agents;
-  for (Index a = 0; a < agents.size(); ++a) {
-    if (agents.kind[a] != AgentKind::iel) continue;
-    for (const Bond& bond : wall.bonds.of(a)) {
-      const Index b = bond.partner;
-      if (b < a || agents.kind[b] != AgentKind::iel || (agents.has(a, fixed) && agents.has(b, fixed)))
-        continue;
-      f(a, b, (agents.position(a) - agents.position(b)).norm() / bond.restLength - 1.0);
-    }
-  }
-}
 
 class Injurer {
  public:
@@ -36,6 +22,7 @@ class Injurer {
         injured_(wall.agents.size(), 0) {}
 
   InjuryReport run() {
+    findExtent();
     measure();
     if (parameters_.ielBreaks) breakLamina();
     fenestrate();
@@ -48,21 +35,48 @@ class Injurer {
   }
 
  private:
-  bool mayBeInjured(Index i) const { return agents_.kind[i] == AgentKind::iel && !agents_.has(i, fixed); }
+  bool mayBeInjured(Index i) const {
+    return agents_.kind[i] == AgentKind::iel && !agents_.has(i, fixed) && agents_.z[i] >= firstZ_ &&
+           agents_.z[i] <= lastZ_;
+  }
+
+  /// Where the IEL may be injured: all but `endMargin` of it beside either fixed end.
+  void findExtent() {
+    double first = wall_.length, last = 0;
+    for (Index i = 0; i < agents_.size(); ++i) {
+      if (agents_.kind[i] != AgentKind::iel || agents_.has(i, fixed)) continue;
+      first = std::min(first, agents_.z[i]), last = std::max(last, agents_.z[i]);
+    }
+    const double margin = std::min(parameters_.endMargin, (last - first) / 4);
+    firstZ_ = first + margin, lastZ_ = last - margin;
+  }
+
+  /// Calls f(a, b, strain) once for every bond of two IEL agents of which at least one may be injured.
+  template <class F>
+  void forEachIelBond(F&& f) const {
+    for (Index a = 0; a < agents_.size(); ++a) {
+      if (agents_.kind[a] != AgentKind::iel) continue;
+      for (const Bond& bond : wall_.bonds.of(a)) {
+        const Index b = bond.partner;
+        if (b < a || agents_.kind[b] != AgentKind::iel || !(mayBeInjured(a) || mayBeInjured(b))) continue;
+        f(a, b, (agents_.position(a) - agents_.position(b)).norm() / bond.restLength - 1.0);
+      }
+    }
+  }
 
   void measure() {
     double sum = 0;
-    forEachIelBond(wall_, [&](Index, Index, double strain) {
+    forEachIelBond([&](Index, Index, double strain) {
       sum += strain;
       report_.largestStrain = std::max(report_.largestStrain, strain);
       ++report_.ielBonds;
     });
     if (report_.ielBonds > 0) report_.meanStrain = sum / static_cast<double>(report_.ielBonds);
-    strain_ = ielStrain(wall_);
+    stretch_ = laminaStretch(wall_);
     for (Index i = 0; i < agents_.size(); ++i) {
       if (!mayBeInjured(i)) continue;
       ++report_.iel;
-      report_.stretched += strain_[i] > parameters_.stretchedStrain;
+      report_.stretched += stretch_[i] > parameters_.stretchedStrain;
     }
   }
 
@@ -78,7 +92,7 @@ class Injurer {
 
   void breakLamina() {
     std::vector<std::pair<Index, Index>> broken;
-    forEachIelBond(wall_, [&](Index a, Index b, double strain) {
+    forEachIelBond([&](Index a, Index b, double strain) {
       if (isPastLimit(a, b, strain)) broken.emplace_back(a, b);
     });
     for (const auto& [a, b] : broken) {
@@ -96,7 +110,7 @@ class Injurer {
 
   void fenestrate() {
     for (Index i = 0; i < agents_.size(); ++i) {
-      if (!mayBeInjured(i) || injured_[i] || strain_[i] <= parameters_.stretchedStrain) continue;
+      if (!mayBeInjured(i) || injured_[i] || stretch_[i] <= parameters_.stretchedStrain) continue;
       RandomStream stream(seed_, agents_.id[i], 0, RandomPurpose::fenestration);
       if (stream.uniform() >= parameters_.fenestrationProbability) continue;
       injured_[i] = 1;
@@ -153,20 +167,12 @@ class Injurer {
   const InjuryParameters& parameters_;
   std::uint64_t seed_;
   std::vector<std::uint8_t> injured_;
-  std::vector<double> strain_;
+  std::vector<double> stretch_;
+  double firstZ_ = 0, lastZ_ = 0;  ///< between these the IEL may be injured [m]
   InjuryReport report_;
 };
 
 }  // namespace
-
-std::vector<double> ielStrain(const Wall& wall) {
-  std::vector<double> strain(wall.agents.size(), 0.0);
-  forEachIelBond(wall, [&](Index a, Index b, double value) {
-    strain[a] = std::max(strain[a], value);
-    strain[b] = std::max(strain[b], value);
-  });
-  return strain;
-}
 
 InjuryReport injure(Wall& wall, const InjuryParameters& parameters, std::uint64_t seed) {
   return Injurer(wall, parameters, seed).run();

@@ -30,11 +30,20 @@ void InjuryParameters::describe(ParameterVisitor& p) {
               .maximum = 1,
               .source = "ISR3D",
               .description = "probability that a stretched IEL agent becomes permeable"});
-  p.quantity(stretchedStrain, {.key = "stretchedStrain",
-                               .minimum = 0,
-                               .maximum = 100,
-                               .source = "assumed",
-                               .description = "bond strain above which the IEL counts as stretched"});
+  p.quantity(stretchedStrain,
+             {.key = "stretchedStrain",
+              .minimum = 0,
+              .maximum = 100,
+              .source = "assumed",
+              .description = "stretch of the IEL about an agent above which it counts as stretched"});
+  p.quantity(endMargin,
+             {.key = "endMargin",
+              .unit = "mm",
+              .minimum = 0,
+              .maximum = 100,
+              .source = "assumed",
+              .description = "the IEL nearer a fixed end, or in the outer quarters of a vessel shorter "
+                             "than four of this, is never injured"});
   p.quantity(syntheticReach, {.key = "syntheticReach",
                               .minimum = 0,
                               .maximum = 20,

@@ -17,8 +17,9 @@ struct InjuryParameters {
   double strainLimitAlong = 0.05;
   double stressLimit = 0.0;  ///< [Pa]; 0: no limit
   double fenestrationProbability = 0.06;
-  double stretchedStrain = 0.05;  ///< IEL agents with a bond strained more are "in the stretched region"
-  double syntheticReach = 1.5;    ///< SMC within this times R1 + R2 of an injured IEL agent become synthetic
+  double stretchedStrain = 0.045;  ///< where the IEL is stretched more is "the stretched region"
+  double endMargin = 0.2e-3;       ///< [m] the IEL nearer a fixed end is never injured
+  double syntheticReach = 1.5;     ///< SMC within this times R1 + R2 of an injured IEL agent become synthetic
   std::string synthetic = "nearInjury";  ///< or "all"
   std::string denudation = "full";       ///< endothelium stripped: "full" or "none"
   bool removeIel = false;                ///< take the whole IEL away before growth

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "BondTable.h"
+#include "Lanes.h"
+#include "NeighbourList.h"
+
+namespace restenosis {
+
+/// Who acts on whom, laid out for computing the agents of a group, laneCount that follow each other in the
+/// store, at once: for each of them its neighbours and bond partners in ascending order, each once, and with
+/// each the rest length of the bond. Agents next to each other in the store should be so in space
+/// (spatialOrder); this decides speed, no result.
+class PairTable {
+ public:
+  /// The k-th partner of each agent of a group. Rows that are shorter than the longest of their group end in
+  /// the index that follows the last agent's.
+  struct alignas(64) Block {
+    std::array<Index, laneCount> partner;
+    /// Rest length of the bond [m], infinite where there is none. Negative where either of the pair is a
+    /// daughter.
+    std::array<float, laneCount> rest;
+  };
+
+  /// `flags`: of the agents. `daughters`: whether pairs with a daughter are to be marked. All three have the
+  /// same number of agents.
+  void build(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
+             bool daughters);
+
+  Index size() const { return size_; }
+  /// The blocks of group g: agents [laneCount g, laneCount (g + 1)).
+  std::span<const Block> group(std::size_t g) const {
+    return {blocks_.data() + start_[g], blocks_.data() + start_[g + 1]};
+  }
+  /// True if some pair of group g is marked for a daughter.
+  bool marked(std::size_t g) const { return marked_[g] != 0; }
+  std::size_t bytes() const { return blocks_.size() * sizeof(Block) + start_.size() * sizeof(start_[0]); }
+
+ private:
+  Index size_ = 0;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> start_;
+  std::vector<std::uint8_t> marked_;
+};
+
+}  // namespace restenosis

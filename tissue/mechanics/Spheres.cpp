@@ -1,0 +1,32 @@
+#include "Spheres.h"
+
+#include <cmath>
+
+namespace restenosis {
+
+FixedScale::FixedScale(double radius)
+    : unit_(std::exp2(std::floor(std::log2(radius)) - 22)), perUnit_(1 / unit_) {}
+
+std::uint32_t FixedScale::whole(double coordinate) const {
+  double units = std::nearbyint(coordinate * perUnit_);
+  constexpr double period = 4294967296.0;
+  if (!(std::abs(units) < 0x1p62)) units = std::isfinite(units) ? std::fmod(units, period) : 0;
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
+}
+
+std::vector<Sphere> packSpheres(const AgentStore& agents) {
+  std::vector<Sphere> spheres(agents.size() + std::size_t{1});
+  for (Index i = 0; i < agents.size(); ++i)
+    spheres[i] = {agents.x[i], agents.y[i], agents.z[i], agents.radius[i]};
+  spheres.back() = {0, 0, 0, noAgentRadius};
+  return spheres;
+}
+
+std::vector<FixedSphere> packSpheres(const AgentStore& agents, const FixedScale& scale) {
+  std::vector<FixedSphere> spheres(agents.size() + std::size_t{1});
+  for (Index i = 0; i < agents.size(); ++i) spheres[i] = scale.of(agents.position(i), agents.radius[i]);
+  spheres.back() = scale.of(Vec3::Zero(), noAgentRadius);
+  return spheres;
+}
+
+}  // namespace restenosis

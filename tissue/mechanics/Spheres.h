@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "AgentStore.h"
+#include "Lanes.h"
+
+namespace restenosis {
+
+/// An agent as the force loop reads it in double precision.
+struct alignas(32) Sphere {
+  double x, y, z, r;  ///< [m]
+};
+
+/// An agent as the force loop reads it in mixed precision: the position in whole units of a FixedScale,
+/// modulo 2^32.
+struct alignas(16) FixedSphere {
+  std::uint32_t x, y, z;
+  float r;  ///< [m]
+};
+
+/// Positions as whole numbers of a unit. Differences of them are exact and the same wherever the agents are,
+/// so that single precision is enough for all that follows. They are modulo 2^32: true between agents less
+/// than `reach` apart, which those are that act on each other, wherever in space they lie.
+class FixedScale {
+ public:
+  /// The unit is the power of two just below `radius` 2^-22 [m].
+  explicit FixedScale(double radius);
+
+  double unit() const { return unit_; }
+  /// Half the period [m]: about 500 radii.
+  double reach() const { return unit_ * 2147483648.0; }
+  FixedSphere of(const Vec3& position, double radius) const {
+    return {whole(position.x()), whole(position.y()), whole(position.z()), static_cast<float>(radius)};
+  }
+
+ private:
+  std::uint32_t whole(double coordinate) const;
+
+  double unit_;
+  double perUnit_;
+};
+
+/// Radius of the sphere that stands in for "no agent": so far below zero that it touches nothing.
+inline constexpr double noAgentRadius = -1e6;
+
+/// Four agents at a time in double precision. `spheres` end with one of radius noAgentRadius.
+class ExactSpheres {
+ public:
+  static constexpr int lanes = 4;
+  using Values = Numbers<double, lanes>;
+  struct Places {
+    Values x, y, z, r;
+  };
+  explicit ExactSpheres(std::span<const Sphere> spheres) : spheres_(spheres) {}
+
+  Places at(const Index* agents) const {
+    Places p;
+    for (int k = 0; k < lanes; ++k) {
+      const Sphere& s = spheres_[agents[k]];
+      p.x.set(k, s.x), p.y.set(k, s.y), p.z.set(k, s.z), p.r.set(k, s.r);
+    }
+    return p;
+  }
+  /// From each of `b` to that of `a` [m].
+  static void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) {
+    dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+  }
+
+ private:
+  std::span<const Sphere> spheres_;
+};
+
+/// Eight agents at a time in mixed precision. `spheres` end with one of radius noAgentRadius.
+class FixedSpheres {
+ public:
+  static constexpr int lanes = 8;
+  using Values = Numbers<float, lanes>;
+  // The compiler's vectors: eight numbers on any processor, in as many registers as they need.
+  using Words = std::uint32_t __attribute__((vector_size(4 * lanes)));
+  struct Places {
+    Words x, y, z;
+    Values r;
+  };
+  FixedSpheres(std::span<const FixedSphere> spheres, double unit)
+      : spheres_(spheres), unit_(static_cast<float>(unit)) {}
+
+  Places at(const Index* agents) const;
+  void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) const {
+    dx = metres(a.x - b.x), dy = metres(a.y - b.y), dz = metres(a.z - b.z);
+  }
+
+ private:
+  Values metres(Words difference) const;
+
+  std::span<const FixedSphere> spheres_;
+  float unit_;
+};
+
+/// The agents as ExactSpheres wants them.
+std::vector<Sphere> packSpheres(const AgentStore& agents);
+/// The agents as FixedSpheres wants them.
+std::vector<FixedSphere> packSpheres(const AgentStore& agents, const FixedScale& scale);
+
+inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
+  using Half = std::uint32_t __attribute__((vector_size(16)));
+  static_assert(sizeof(Half) == sizeof(FixedSphere));
+  const auto half = [&](int k) {
+    Half h;
+    __builtin_memcpy(&h, &spheres_[agents[k]], sizeof h);
+    return h;
+  };
+  // Eight rows of four become four columns of eight.
+  const auto pair = [&](int k) {
+    return __builtin_shufflevector(half(k), half(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+  };
+  const Words a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+  const Words xyab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Words xycd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Words zrab = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Words zrcd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  Places p;
+  p.x = __builtin_shufflevector(xyab, xycd, 0, 1, 8, 9, 4, 5, 12, 13);
+  p.y = __builtin_shufflevector(xyab, xycd, 2, 3, 10, 11, 6, 7, 14, 15);
+  p.z = __builtin_shufflevector(zrab, zrcd, 0, 1, 8, 9, 4, 5, 12, 13);
+  p.r = Values((Values::Vector)__builtin_shufflevector(zrab, zrcd, 2, 3, 10, 11, 6, 7, 14, 15));
+  return p;
+}
+
+inline FixedSpheres::Values FixedSpheres::metres(Words difference) const {
+  return Values(__builtin_convertvector((Values::Mask)difference, Values::Vector)) * unit_;
+}
+
+}  // namespace restenosis
