@@ -3,6 +3,7 @@
 
 #include "BenchCommand.h"
 #include "CheckCommand.h"
+#include "CompareCommand.h"
 #include "ExitStatus.h"
 #include "RunCommand.h"
 #include "SchemaCommand.h"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   int status = ExitStatus::done;
   addRunCommand(app, status);
   addCheckCommand(app, status);
+  addCompareCommand(app, status);
   addSchemaCommand(app, status);
   addBenchCommand(app, status);
   try {

@@ -141,6 +141,7 @@ void Run::buildSchedule() {
     world_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
   auto backend = scene_.flow
                      ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
+                                                              .lbm = scene_.lbm,
                                                               .ranks = options_.ranks,
                                                               .stopRequested = options_.stopRequested})
                      : nullptr;

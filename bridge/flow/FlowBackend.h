@@ -65,6 +65,9 @@ class FlowBackend {
   /// user opens. Throws FlowFailed.
   virtual FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                              const std::filesystem::path& caseFolder) = 0;
+  /// Velocity of the last solution [m/s] at points in its lumen [m]; NaN where it is not known. Empty from a
+  /// backend that keeps none.
+  virtual std::vector<Vec3> velocities(const std::vector<Vec3>&) const { return {}; }
 };
 
 }  // namespace restenosis

@@ -9,6 +9,7 @@
 #include "EndotheliumParameters.h"
 #include "FlowParameters.h"
 #include "InjuryParameters.h"
+#include "LbmSettings.h"
 #include "MechanicsParameters.h"
 #include "RunParameters.h"
 #include "StentParameters.h"
@@ -30,6 +31,7 @@ struct Scene {
   std::optional<ContactInhibitionParameters> contactInhibition;
   std::optional<EndotheliumParameters> endothelium;
   std::optional<FlowParameters> flow;
+  std::optional<LbmSettings> lbm;  ///< where absent, those of `scene.fidelity`
   CouplingParameters coupling;
   OutputParameters output;
 
@@ -55,6 +57,7 @@ void Scene::forEachOptionalSection(F&& f) {
   f(contactInhibition);
   f(endothelium);
   f(flow);
+  f(lbm);
 }
 
 template <class F>

@@ -21,17 +21,19 @@ inline FlowConditions vesselConditions() {
 /// 4 mu U / R [Pa]
 inline double vesselStress() { return 4.0 * 2.7e-3 * meanVelocity / vesselRadius; }
 
-/// Departure of the traction's magnitude from a uniform one on the faces from `zLow` to `zHigh`,
-/// area-weighted and relative.
+/// Departure of the traction's magnitude from the expected one on the faces from `zLow` to `zHigh`,
+/// area-weighted and relative to `scale`.
 struct StressError {
   double mean = 0.0, l2 = 0.0, maximum = 0.0;
 };
-inline StressError stressError(const FlowSolution& solution, double expected, double zLow, double zHigh) {
+template <class Expected>
+StressError stressError(const FlowSolution& solution, const Expected& expected, double scale, double zLow,
+                        double zHigh) {
   StressError e;
   double area = 0.0;
   for (const WallFace& f : solution.wall) {
     if (f.region != SurfaceRegion::wall || f.centre.z() < zLow || f.centre.z() > zHigh) continue;
-    const double error = f.traction.norm() / expected - 1.0;
+    const double error = (f.traction.norm() - expected(f.centre)) / scale;
     area += f.area;
     e.mean += f.area * error;
     e.l2 += f.area * error * error;
@@ -40,6 +42,11 @@ inline StressError stressError(const FlowSolution& solution, double expected, do
   e.mean /= area;
   e.l2 = std::sqrt(e.l2 / area);
   return e;
+}
+/// The same where one stress is expected everywhere.
+inline StressError stressError(const FlowSolution& solution, double expected, double zLow, double zHigh) {
+  return stressError(
+      solution, [expected](const Vec3&) { return expected; }, expected, zLow, zHigh);
 }
 
 }  // namespace restenosis::testing

@@ -19,8 +19,9 @@ const std::vector<FlowBackendEntry>& flowBackends() {
        }},
       {flowBackendNames::lbm,
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
-         return std::make_unique<LbmBackend>(LbmSettings::forFidelity(options.fidelity),
-                                             options.stopRequested);
+         return std::make_unique<LbmBackend>(
+             options.lbm ? *options.lbm : LbmSettings::forFidelity(options.fidelity), options.stopRequested,
+             options.keepVelocities);
        }},
       {flowBackendNames::analytic,
        [](const FlowBackendOptions&) -> std::unique_ptr<FlowBackend> {

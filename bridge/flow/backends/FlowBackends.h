@@ -2,17 +2,21 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "FlowBackend.h"
+#include "LbmSettings.h"
 
 namespace restenosis {
 
 /// What a backend may need beside the surface and the conditions.
 struct FlowBackendOptions {
   std::string fidelity = "standard";                 ///< draft, standard or reference
+  std::optional<LbmSettings> lbm = std::nullopt;     ///< instead of those of the fidelity
+  bool keepVelocities = false;                       ///< for FlowBackend::velocities; costs memory
   int ranks = 1;                                     ///< processes that may work on one flow
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, a solve under way ends by FlowFailed
 };

@@ -8,6 +8,7 @@
 #include "FoamLog.h"
 #include "FoamRun.h"
 #include "FoamTemplate.h"
+#include "FoamVelocity.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
 
@@ -40,6 +41,7 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
     throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
   }
   const fs::path folder = fs::absolute(caseFolder);
+  solved_ = folder;
   try {
     return attempt(folder, lumen, shape, conditions, Effort::normal);
   } catch (const FoamStepFailed& first) {
@@ -56,6 +58,11 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
                        second.log.empty() ? former : second.log);
     }
   }
+}
+
+std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const {
+  if (solved_.empty()) return {};
+  return foamVelocities(solved_, points);
 }
 
 void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,

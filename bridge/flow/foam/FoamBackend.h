@@ -22,6 +22,8 @@ class FoamBackend : public FlowBackend {
   std::string_view name() const override;
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
+  /// Read from the case of the last solution.
+  std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override;
 
  private:
   FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
@@ -32,6 +34,7 @@ class FoamBackend : public FlowBackend {
 
   FoamSettings settings_;
   FoamExecution execution_;
+  std::filesystem::path solved_;  ///< case of the last solution
 };
 
 }  // namespace restenosis

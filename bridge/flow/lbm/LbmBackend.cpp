@@ -73,6 +73,13 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
 
 std::string_view LbmBackend::name() const { return flowBackendNames::lbm; }
 
+std::vector<Vec3> LbmBackend::velocities(const std::vector<Vec3>& points) const {
+  if (!kept_) return {};
+  std::vector<Vec3> result;
+  for (const Vec3& p : points) result.push_back((*kept_)(p).velocity);
+  return result;
+}
+
 FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& conditions,
                                const std::filesystem::path& caseFolder) {
   Log log(caseFolder);
@@ -119,6 +126,7 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
       }
     }
 
+    if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
     solution.cells = solved->nodes();
     solution.wall = solved->wall();
     const int last = solved->layers() - 1;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "FlowBackend.h"
 #include "LbmSettings.h"
 
 namespace restenosis {
 
+class LatticeSampler;
 class SteadyLattice;
 
 /// Steady laminar flow by a D3Q19 lattice Boltzmann method (docs/model/lbm.md): an independent check on the
@@ -19,15 +21,20 @@ class SteadyLattice;
 /// `log.lbm`.
 class LbmBackend : public FlowBackend {
  public:
-  explicit LbmBackend(const LbmSettings& settings, const std::atomic<bool>* stopRequested = nullptr)
-      : settings_(settings), stopRequested_(stopRequested) {}
+  /// @param keepVelocities of the last solution, about 40 bytes a node
+  explicit LbmBackend(const LbmSettings& settings, const std::atomic<bool>* stopRequested = nullptr,
+                      bool keepVelocities = false)
+      : settings_(settings), stopRequested_(stopRequested), keepVelocities_(keepVelocities) {}
   std::string_view name() const override;
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
+  std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override;
 
  private:
   LbmSettings settings_;
   const std::atomic<bool>* stopRequested_;
+  bool keepVelocities_;
+  std::shared_ptr<const LatticeSampler> kept_;
 };
 
 }  // namespace restenosis

@@ -11,7 +11,8 @@ namespace restenosis {
 /// How finely and how exactly the lattice Boltzmann backend works.
 struct LbmSettings {
   static constexpr std::string_view section = "lbm";
-  static constexpr std::string_view summary = "Lattice and solver settings of the lattice Boltzmann backend";
+  static constexpr std::string_view summary =
+      "Settings of the lattice Boltzmann backend; without the section, those of scene.fidelity";
 
   double dx = 15e-6;                   ///< lattice spacing [m]
   std::string collision = "trt";       ///< trt or bgk

@@ -18,10 +18,10 @@ enum class StressRule {
 
 /// Carries the viscous stress from fluid nodes to the faces of the wall.
 ///
-/// For each face of wall or struts a linear function is fitted, by weighted least squares, to the stress at the
-/// nodes within a few spacings on the lumen's side of the face; its value at the face's centre is the stress at the
-/// wall. As the fit is linear in the data, each face keeps its nodes and their weights. Normals are smoothed: the
-/// area-weighted mean over the faces around, but not over edges sharper than 45 degrees.
+/// For each face of wall or struts a linear function is fitted, by weighted least squares, to the stress at
+/// the nodes within a few spacings on the lumen's side of the face; its value at the face's centre is the
+/// stress at the wall. As the fit is linear in the data, each face keeps its nodes and their weights. Normals
+/// are smoothed: the area-weighted mean over the faces around, but not over edges sharper than 45 degrees.
 class WallStress {
  public:
   WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule = StressRule::fitted);

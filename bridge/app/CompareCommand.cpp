@@ -1,0 +1,173 @@
+#include "CompareCommand.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "AtomicFile.h"
+#include "ComparedLumen.h"
+#include "ComparisonWriter.h"
+#include "ExitStatus.h"
+#include "Figures.h"
+#include "FlowBackendNames.h"
+#include "FlowBackends.h"
+#include "ResultsFolder.h"
+#include "Run.h"
+#include "SceneArguments.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stopRequested{false};
+
+extern "C" void requestStop(int) { stopRequested = true; }
+
+struct CompareArguments {
+  SceneArguments scene;
+  std::string folder;
+  std::optional<double> day;
+  int threads = 0;
+  int ranks = 1;
+  bool ofResults() const { return fs::is_directory(scene.file); }
+};
+
+fs::path outputFolder(const CompareArguments& arguments, const std::string& name) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  return arguments.ofResults() ? fs::path(arguments.scene.file) / "compare"
+                               : fs::path("results") / (name + "-compare");
+}
+
+void print(const FlowComparison& c, const SolvedFlow& reference, const SolvedFlow& other) {
+  std::cout << fmt::format("\n{:<16}{:>10}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "WSS", "mm^2",
+                           reference.backend + " [Pa]", other.backend + " [Pa]", "mean [%]", "L2 [%]",
+                           "p95 [%]");
+  const auto row = [](std::string_view name, const FieldDifference& d) {
+    if (d.count == 0) return;
+    std::cout << fmt::format("{:<16}{:>10.3f}{:>12.4f}{:>12.4f}{:>12.2f}{:>12.2f}{:>12.2f}\n", name,
+                             1e6 * d.weight, d.referenceMean, d.mean, 100 * d.meanDifference,
+                             100 * d.relativeL2, 100 * d.relativeP95);
+  };
+  for (const ComparedPart part : comparedParts) row(partName(part), c.parts[static_cast<std::size_t>(part)]);
+  if (c.hasVelocities) {
+    std::cout << fmt::format(
+        "\nvelocity along the axis: {:.2f} % in L2; on {} planes:", 100 * c.axis.relativeL2, c.planes.size());
+    for (const FieldDifference& d : c.planes) std::cout << fmt::format(" {:.2f}", 100 * d.relativeL2);
+    std::cout << " %\n";
+  }
+  for (const SolvedFlow* flow : {&reference, &other}) {
+    std::cout << fmt::format("{:<6}{:>10} cells, pressure drop {:.4f} Pa, {:.1f} s\n", flow->backend,
+                             flow->solution.cells, flow->solution.pressureDrop, flow->seconds);
+    for (const auto& remark : flow->solution.remarks) std::cout << fmt::format("      {}\n", remark);
+  }
+}
+
+void nameFiles(const fs::path& folder) {
+  std::cout << fmt::format("\n{}:\n", folder.string());
+  for (const auto& [file, what] :
+       {std::pair("compare.json", "all numbers"),
+        std::pair("compare.vtp", "both fields and their difference: open in ParaView"),
+        std::pair("compareVelocity.csv", "velocities on the axis and on planes"),
+        std::pair("compareMaps.png", "picture"), std::pair("compareScatter.png", "picture"),
+        std::pair("foam/case.foam", "OpenFOAM case: open in ParaView")})
+    if (fs::exists(folder / file)) std::cout << fmt::format("  {:<20} {}\n", file, what);
+}
+
+int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder) {
+  createFolder(folder);
+  const int threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads();
+  omp_set_num_threads(threads);
+  const ComparedLumen lumen = arguments.ofResults()
+                                  ? finishedLumen(arguments.scene.file, arguments.day)
+                                  : deployedLumen(scene, folder / "deployment", threads, &stopRequested);
+  const ProbeLines lines = probeLines(lumen.surface);
+  const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
+  const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
+  const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
+                                   .lbm = lbm,
+                                   .keepVelocities = true,
+                                   .ranks = arguments.ranks,
+                                   .stopRequested = &stopRequested};
+  const auto solve = [&](std::string_view name) {
+    std::cerr << fmt::format("{}: solving in the lumen of day {:.4g} ...\n", name, lumen.day);
+    const auto backend = makeFlowBackend(name, options);
+    return solveForComparison(*backend, lumen.surface, lines, conditions, folder / name);
+  };
+  const SolvedFlow reference = solve(flowBackendNames::foam), other = solve(flowBackendNames::lbm);
+
+  const FlowComparison result = compareFlows(lumen.surface, lines, reference, other);
+  const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx};
+  writeComparisonJson(folder / "compare.json", what, result, reference, other);
+  writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, lumen.day);
+  writeComparedVelocities(folder / "compareVelocity.csv", result, reference, other);
+  if (scene.output.pictures) {
+    const std::string obstacle = Figures().draw(folder);
+    if (!obstacle.empty()) std::cerr << obstacle << '\n';
+  }
+  print(result, reference, other);
+  nameFiles(folder);
+  return ExitStatus::done;
+}
+
+int tryCompare(const CompareArguments& arguments) {
+  SceneArguments sceneArguments = arguments.scene;
+  const fs::path target = fs::absolute(arguments.scene.file).lexically_normal();
+  if (arguments.ofResults()) sceneArguments.file = target / "scene.toml";
+  auto scene = sceneArguments.read();
+  if (!scene) return ExitStatus::wrongInput;
+  if (arguments.ofResults()) scene->name = (target / "").parent_path().filename().string();
+  if (!scene->flow) {
+    std::cerr << fmt::format("{}: there is no [flow] to compare; add it with --set flow=present\n",
+                             arguments.scene.file);
+    return ExitStatus::wrongInput;
+  }
+  if (arguments.day && !arguments.ofResults()) {
+    std::cerr << "--day chooses a lumen of a finished run: name its results folder instead of a scene\n";
+    return ExitStatus::wrongInput;
+  }
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
+  try {
+    return compare(*scene, arguments, outputFolder(arguments, scene->name));
+  } catch (const FolderRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const FlowFailed& error) {
+    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
+    if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
+  } catch (const Interrupted&) {
+    std::cerr << "\ninterrupted\n";
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("\n{}\n", error.what());
+  }
+  return ExitStatus::failed;
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand(
+      "compare", "solve the flow in one lumen by OpenFOAM and by the lattice Boltzmann method, side by side");
+  auto arguments = std::make_shared<CompareArguments>();
+  arguments->scene.addTo(*command);
+  command->get_option("SCENE")->description(
+      "scene file (TOML), for the lumen just after deployment, or the results folder of a run");
+  command->add_option("-o,--output", arguments->folder,
+                      "folder for the comparison (default: results/<scene name>-compare, or compare/ in the "
+                      "results folder)");
+  command->add_option("--day", arguments->day,
+                      "of the run's lumens, the one nearest to this day (default: the last)");
+  command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  command->callback([arguments, &status] { status = tryCompare(*arguments); });
+}
+
+}  // namespace restenosis

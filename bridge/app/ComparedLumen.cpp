@@ -1,0 +1,34 @@
+#include "ComparedLumen.h"
+
+#include <iostream>
+
+#include "LumenFile.h"
+#include "Progress.h"
+#include "Run.h"
+
+namespace restenosis {
+
+ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
+                            const std::atomic<bool>* stopRequested) {
+  Scene deployment = scene;
+  deployment.scene.duration = scene.scene.step;
+  deployment.cellCycle.reset();
+  deployment.contactInhibition.reset();
+  deployment.endothelium.reset();
+  deployment.flow.reset();
+  deployment.output.pictures = false;
+  const auto results = ResultsFolder::fresh(folder);
+  Progress progress(std::cerr, Progress::onTerminal(), deployment.scene.duration);
+  Run run(deployment, results, progress, {.threads = threads, .stopRequested = stopRequested});
+  run.go();
+  progress.finish();
+  return {readLumen(recordedLumens(folder).front().file), 0.0};
+}
+
+ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {
+  const auto lumens = recordedLumens(results);
+  const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
+  return {readLumen(chosen.file), chosen.day};
+}
+
+}  // namespace restenosis

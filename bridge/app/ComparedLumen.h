@@ -1,0 +1,26 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+#include "Scene.h"
+#include "TriSurface.h"
+
+namespace restenosis {
+
+/// The lumen that flows are compared in, and the day it is of.
+struct ComparedLumen {
+  TriSurface surface;
+  double day = 0.0;
+};
+
+/// The lumen of a scene just after deployment, before anything grows: the scene is run for one step, without
+/// flow and growth, with `folder` for its results. Throws what Run throws.
+ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
+                            const std::atomic<bool>* stopRequested);
+
+/// The lumen that a run has recorded nearest to a day, the last one without. Throws std::runtime_error.
+ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day);
+
+}  // namespace restenosis

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "FlowComparison.h"
+
+namespace restenosis {
+
+/// What was compared.
+struct ComparedCase {
+  std::string scene;  ///< name of the scene
+  std::string fidelity;
+  double day = 0.0;             ///< of the lumen
+  double latticeSpacing = 0.0;  ///< [m]
+};
+
+/// compare.json: WSS by part, pressure drop, velocities, cost. Throws WriteFailed.
+void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& what,
+                         const FlowComparison& comparison, const SolvedFlow& reference,
+                         const SolvedFlow& other);
+
+/// compare.vtp: the lumen's wall and struts with, on each triangle, part (ComparedPart), WSS and traction of
+/// either backend and their difference [Pa]. Throws WriteFailed.
+void writeComparisonSurface(const std::filesystem::path& file, const TriSurface& lumen,
+                            const FlowComparison& comparison, const SolvedFlow& reference,
+                            const SolvedFlow& other, double day);
+
+/// compareVelocity.csv: where (axis, plane1, ...), point [mm] and the velocity of either backend [m/s].
+/// Writes nothing where a backend gave none. Throws WriteFailed.
+void writeComparedVelocities(const std::filesystem::path& file, const FlowComparison& comparison,
+                             const SolvedFlow& reference, const SolvedFlow& other);
+
+}  // namespace restenosis

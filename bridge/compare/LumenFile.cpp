@@ -1,0 +1,123 @@
+#include "LumenFile.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+namespace restenosis {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Edges that only one triangle runs along, by their first vertex: the rims of the tube.
+std::map<std::uint32_t, std::uint32_t> rimEdges(const TriSurface& tube) {
+  std::set<Edge> edges;
+  for (const auto& t : tube.triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
+  std::map<std::uint32_t, std::uint32_t> rim;
+  for (const auto& [from, to] : edges)
+    if (!edges.contains({to, from})) rim.emplace(from, to);
+  return rim;
+}
+
+/// Closes every rim by a fan about its centre.
+void addCaps(TriSurface& tube, const std::filesystem::path& file) {
+  double low = tube.vertices.front().z(), high = low;
+  for (const Vec3& v : tube.vertices) low = std::min(low, v.z()), high = std::max(high, v.z());
+  auto rim = rimEdges(tube);
+  bool inlet = false, outlet = false;
+  while (!rim.empty()) {
+    std::vector<std::uint32_t> loop{rim.begin()->first};
+    while (!rim.empty()) {
+      const auto edge = rim.find(loop.back());
+      if (edge == rim.end())
+        throw std::runtime_error(fmt::format("{}: a rim of the lumen is not closed", file.string()));
+      const std::uint32_t next = edge->second;
+      rim.erase(edge);
+      if (next == loop.front()) break;
+      loop.push_back(next);
+    }
+    Vec3 centre = Vec3::Zero();
+    for (const auto v : loop) centre += tube.vertices[v] / static_cast<double>(loop.size());
+    const bool atInlet = centre.z() < 0.5 * (low + high);
+    const double plane = atInlet ? low : high;
+    for (const auto v : loop)
+      if (tube.vertices[v].z() != plane)
+        throw std::runtime_error(
+            fmt::format("{}: the lumen has a hole at z = {:.4g} mm", file.string(), 1e3 * centre.z()));
+    centre.z() = plane;
+    (atInlet ? inlet : outlet) = true;
+    const auto middle = static_cast<std::uint32_t>(tube.vertices.size());
+    tube.vertices.push_back(centre);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      tube.triangles.push_back({loop[(k + 1) % loop.size()], loop[k], middle});
+      tube.region.push_back(atInlet ? SurfaceRegion::inlet : SurfaceRegion::outlet);
+    }
+  }
+  if (!inlet || !outlet)
+    throw std::runtime_error(fmt::format("{}: the lumen has not two open ends", file.string()));
+}
+
+}  // namespace
+
+std::vector<RecordedLumen> recordedLumens(const std::filesystem::path& results) {
+  const auto index = results / "lumen.pvd";
+  std::ifstream stream(index);
+  if (!stream)
+    throw std::runtime_error(fmt::format("{} is missing: no lumen has been recorded", index.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  static const std::regex entry("timestep=\"([^\"]+)\"[^>]*file=\"([^\"]+)\"");
+  std::vector<RecordedLumen> lumens;
+  for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at)
+    lumens.push_back({std::stod((*at)[1]), results / (*at)[2].str()});
+  if (lumens.empty()) throw std::runtime_error(fmt::format("{} names no lumen yet", index.string()));
+  return lumens;
+}
+
+const RecordedLumen& lumenOfDay(const std::vector<RecordedLumen>& lumens, double day) {
+  return *std::min_element(lumens.begin(), lumens.end(), [day](const auto& a, const auto& b) {
+    return std::abs(a.day - day) < std::abs(b.day - day);
+  });
+}
+
+TriSurface readLumen(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) throw std::runtime_error(fmt::format("{} is missing", file.string()));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData& data = *reader->GetOutput();
+  vtkDataArray* region = data.GetCellData()->GetArray("region");
+  if (reader->GetErrorCode() != 0 || data.GetNumberOfPolys() == 0 || region == nullptr)
+    throw std::runtime_error(fmt::format("{} is no recorded lumen", file.string()));
+  TriSurface tube;
+  tube.vertices.resize(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (std::size_t v = 0; v < tube.vertices.size(); ++v)
+    data.GetPoint(static_cast<vtkIdType>(v), tube.vertices[v].data());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < data.GetNumberOfPolys(); ++t) {
+    data.GetPolys()->GetCellAtId(t, corners);
+    if (corners->GetNumberOfIds() != 3)
+      throw std::runtime_error(fmt::format("{} has faces that are no triangles", file.string()));
+    const auto corner = [&](vtkIdType k) { return static_cast<std::uint32_t>(corners->GetId(k)); };
+    tube.triangles.push_back({corner(0), corner(1), corner(2)});
+    tube.region.push_back(region->GetComponent(t, 0) == 1.0 ? SurfaceRegion::strut : SurfaceRegion::wall);
+  }
+  addCaps(tube, file);
+  return tube;
+}
+
+}  // namespace restenosis

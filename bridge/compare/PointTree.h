@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cmath>
+#include <nanoflann.hpp>
+#include <vector>
+
+#include "TriSurface.h"
+
+namespace restenosis {
+
+/// The points nearest to a place, among those given.
+class PointTree {
+ public:
+  explicit PointTree(std::vector<Vec3> points) : cloud_{std::move(points)}, tree_(3, cloud_) {
+    tree_.buildIndex();
+  }
+  PointTree(const PointTree&) = delete;
+  PointTree& operator=(const PointTree&) = delete;
+
+  bool empty() const { return cloud_.points.empty(); }
+  struct Near {
+    std::size_t index;
+    double distance;  ///< [m]
+  };
+  /// At most `count` of them, the nearest first; equally near ones in the tree's order, which is fixed.
+  std::vector<Near> nearest(const Vec3& place, std::size_t count) const {
+    std::vector<std::uint32_t> index(count);
+    std::vector<double> square(count);
+    const std::size_t found = empty() ? 0 : tree_.knnSearch(place.data(), count, index.data(), square.data());
+    std::vector<Near> result;
+    for (std::size_t i = 0; i < found; ++i) result.push_back({index[i], std::sqrt(square[i])});
+    return result;
+  }
+
+ private:
+  struct Cloud {
+    std::vector<Vec3> points;
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+      return points[i][static_cast<Eigen::Index>(axis)];
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+  Cloud cloud_;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3> tree_;
+};
+
+}  // namespace restenosis
