@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -19,15 +17,12 @@
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneArguments.h"
+#include "StopRequest.h"
 
 namespace restenosis {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stopRequested{false};
-
-extern "C" void requestStop(int) { stopRequested = true; }
 
 struct CompareArguments {
   SceneArguments scene;
@@ -81,11 +76,12 @@ void nameFiles(const fs::path& folder) {
 
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder) {
   createFolder(folder);
+  const std::atomic<bool>* const stopRequested = &stopOnSignals();
   const int threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads();
   omp_set_num_threads(threads);
   const ComparedLumen lumen = arguments.ofResults()
                                   ? finishedLumen(arguments.scene.file, arguments.day)
-                                  : deployedLumen(scene, folder / "deployment", threads, &stopRequested);
+                                  : deployedLumen(scene, folder / "deployment", threads, stopRequested);
   const ProbeLines lines = probeLines(lumen.surface);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
@@ -93,7 +89,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
                                    .lbm = lbm,
                                    .keepVelocities = true,
                                    .ranks = arguments.ranks,
-                                   .stopRequested = &stopRequested};
+                                   .stopRequested = stopRequested};
   const auto solve = [&](std::string_view name) {
     std::cerr << fmt::format("{}: solving in the lumen of day {:.4g} ...\n", name, lumen.day);
     const auto backend = makeFlowBackend(name, options);
@@ -131,8 +127,6 @@ int tryCompare(const CompareArguments& arguments) {
     std::cerr << "--day chooses a lumen of a finished run: name its results folder instead of a scene\n";
     return ExitStatus::wrongInput;
   }
-  std::signal(SIGINT, requestStop);
-  std::signal(SIGTERM, requestStop);
   try {
     return compare(*scene, arguments, outputFolder(arguments, scene->name));
   } catch (const FolderRefused& error) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,14 +16,11 @@
 #include "Run.h"
 #include "SceneArguments.h"
 #include "SceneWriter.h"
+#include "StopRequest.h"
 #include "Units.h"
 
 namespace restenosis {
 namespace {
-
-std::atomic<bool> stopRequested{false};
-
-extern "C" void requestStop(int) { stopRequested = true; }
 
 struct RunArguments {
   SceneArguments scene;
@@ -66,7 +61,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
                            .ranks = arguments.ranks,
-                           .stopRequested = &stopRequested};
+                           .stopRequested = &stopOnSignals()};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
   atomicWrite(folder.scene(), writeScene(scene, Units()));
@@ -84,8 +79,6 @@ int tryRun(const RunArguments& arguments) {
   if (!arguments.flow.empty()) sceneArguments.overrides.push_back("flow.backend=" + arguments.flow);
   const auto scene = sceneArguments.read();
   if (!scene) return ExitStatus::wrongInput;
-  std::signal(SIGINT, requestStop);
-  std::signal(SIGTERM, requestStop);
   try {
     return runScene(*scene, arguments);
   } catch (const FolderRefused& error) {

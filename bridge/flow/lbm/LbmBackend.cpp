@@ -69,6 +69,21 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
   return result;
 }
 
+/// Throws std::invalid_argument unless blood flows with these numbers.
+void requireFlow(const FlowConditions& conditions) {
+  const auto positive = [](double value, const char* what, const char* unit) {
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw std::invalid_argument(
+          fmt::format("the {} is {} {}; it must be a positive number", what, value, unit));
+  };
+  positive(conditions.density, "density", "kg/m^3");
+  positive(conditions.kinematicViscosity, "kinematic viscosity", "m^2/s");
+  if (conditions.drive == FlowConditions::Drive::flowRate)
+    positive(conditions.flowRate, "flow rate", "m^3/s");
+  else
+    positive(conditions.pressureGradient, "pressure gradient", "Pa/m");
+}
+
 }  // namespace
 
 std::string_view LbmBackend::name() const { return flowBackendNames::lbm; }
@@ -84,6 +99,7 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
                                const std::filesystem::path& caseFolder) {
   Log log(caseFolder);
   try {
+    requireFlow(conditions);
     requireLumen(lumen);
     const FlowEstimate estimate(lumen, conditions);
     std::function<FlowPoint(const Vec3&)> start = [&estimate](const Vec3& p) {

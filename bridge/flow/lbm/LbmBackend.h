@@ -11,7 +11,7 @@ namespace restenosis {
 class LatticeSampler;
 class SteadyLattice;
 
-/// Steady laminar flow by a D3Q19 lattice Boltzmann method (docs/model/lbm.md): an independent check on the
+/// Steady laminar flow by a D3Q19 lattice Boltzmann method (docs/model/flow.md): an independent check on the
 /// OpenFOAM backend, with the same surface, flow rate and viscosity. Wall faces are the triangles of the
 /// surface.
 ///

@@ -2,7 +2,8 @@
 
     /usr/bin/python3 bridge/output/figures RESULTS
 
-Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from. Needs Debian's
+Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from; in the folder of a
+comparison, compareMaps.png and compareScatter.png. Needs Debian's
 python3-matplotlib and python3-vtk9, and xvfb where there is no display. Exit status 0 when every picture that the
 results allow was drawn; otherwise the last line printed says what is missing.
 """
@@ -29,6 +30,7 @@ def draw(folder):
     import matplotlib
 
     matplotlib.use("Agg")
+    import compare
     import growth
     import lumen
     import results
@@ -36,9 +38,15 @@ def draw(folder):
 
     problems = []
     drawn = []
-    for name, picture in (("growth.png", growth), ("lumen.png", lumen), ("section.png", section)):
+    for name, picture in (
+        ("growth.png", growth.draw),
+        ("lumen.png", lumen.draw),
+        ("section.png", section.draw),
+        ("compareMaps.png", compare.draw_maps),
+        ("compareScatter.png", compare.draw_scatter),
+    ):
         try:
-            picture.draw(folder, folder / name)
+            picture(folder, folder / name)
             drawn.append(name)
         except results.NothingToDraw as reason:
             print(f"{name}: {reason}")

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "FlowSupport.h"
+#include "LumenFile.h"
+#include "LumenShape.h"
+#include "LumenWriter.h"
+#include "PvdSeries.h"
+#include "TemporaryFolder.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+TEST(LumenFile, aWrittenLumenIsReadBackClosed) {
+  const TemporaryFolder folder;
+  const TriSurface lumen = stentedTube(vesselRadius, vesselLength, 90e-6);
+  writeLumen(folder / "lumen.vtp", lumen, nullptr, 0.0);
+  const TriSurface read = readLumen(folder / "lumen.vtp");
+  EXPECT_NO_THROW(requireLumen(read));
+  EXPECT_EQ(read.triangles.size(), lumen.triangles.size());
+  EXPECT_NEAR(enclosedVolume(read) / enclosedVolume(lumen), 1.0, 1e-6);
+  EXPECT_EQ(std::ranges::count(read.region, SurfaceRegion::strut),
+            std::ranges::count(lumen.region, SurfaceRegion::strut));
+  EXPECT_NEAR(lumenEnd(read, SurfaceRegion::inlet).z, 0.0, 1e-12);
+  EXPECT_NEAR(lumenEnd(read, SurfaceRegion::outlet).z, vesselLength, 1e-9);
+}
+
+TEST(LumenFile, theLumenOfADayIsTheNearest) {
+  const TemporaryFolder folder;
+  PvdSeries series(folder.path(), "lumen");
+  series.begin();
+  for (const int step : {0, 12, 24}) {
+    writeLumen(series.dataFile(step), tube(vesselRadius, vesselLength), nullptr, 3600.0 * step);
+    series.add(step, 3600.0 * step);
+  }
+  const auto lumens = recordedLumens(folder.path());
+  ASSERT_EQ(lumens.size(), 3u);
+  EXPECT_DOUBLE_EQ(lumenOfDay(lumens, 0.4).day, 0.5);
+  EXPECT_DOUBLE_EQ(lumenOfDay(lumens, 99).day, 1.0);
+  EXPECT_NO_THROW(readLumen(lumens.back().file));
+}
+
+TEST(LumenFile, whatIsNoLumenIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(recordedLumens(folder.path()), std::runtime_error);
+  EXPECT_THROW(readLumen(folder / "lumen.vtp"), std::runtime_error);
+  TriSurface holed = tube(vesselRadius, vesselLength);
+  holed.triangles.erase(holed.triangles.begin() + 900);
+  holed.region.erase(holed.region.begin() + 900);
+  writeLumen(folder / "lumen.vtp", holed, nullptr, 0.0);
+  EXPECT_THROW(readLumen(folder / "lumen.vtp"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace restenosis
