@@ -54,12 +54,11 @@ std::string refusal(const TriSurface& lumen, const FlowConditions& conditions, c
   return "";
 }
 
-TEST(LbmLimits, relaxationTimesFromAlmostHalfToFive) {
-  for (const double tau : {0.5005, 0.505, 0.55, 1.0, 2.0, 5.0}) {
+TEST(LbmLimits, relaxationTimesUpToFive) {
+  for (const double tau : {0.505, 0.55, 1.0, 2.0, 5.0}) {
     LatticeRelaxation relaxation;
     relaxation.tau = tau;
-    // Little viscosity takes long to settle: from the exact flow, what matters is that it stays there
-    const auto e = periodicTube(12, WallRule::interpolated, relaxation, tau < 0.51 ? 0.01 : 0.05);
+    const auto e = periodicTube(12, WallRule::interpolated, relaxation, 0.01);
     EXPECT_LT(e.velocity, 0.05) << tau;
     EXPECT_LT(e.stressRms, 0.1) << tau;
   }
@@ -68,9 +67,8 @@ TEST(LbmLimits, relaxationTimesFromAlmostHalfToFive) {
 TEST(LbmLimits, almostNoViscosityInTheBackend) {
   LbmSettings settings = coarse();
   settings.maximumSteps = 4000;
-  // Relaxation times of 0.5005 and less, Reynolds numbers of 10,000 and more: no laminar lattice flow to be
-  // expected
-  for (const double meanVelocity : {10.0, 100.0})
+  // Relaxation times of 0.5005 and less, Reynolds numbers of 5,000 and more: no laminar flow to be expected
+  for (const double meanVelocity : {13.0, 100.0})
     expectAnswerOrAdvice(settings, flowing(meanVelocity), stressOf(meanVelocity), {"dx", "maximumSteps"});
 }
 

@@ -29,7 +29,7 @@ TEST(LatticePoiseuilleLong, table) {
       const auto e = periodicTube(diameter, row.wall, relaxation);
       std::printf("%-34s%6.0f%14.4f%14.4f%14.4f%16.3f\n", row.name, diameter, 100 * e.velocity,
                   100 * e.stressMean, 100 * e.stressRms, 100 * e.nearestRms);
-      if (row.wall == WallRule::interpolated && diameter == 60) {
+      if (row.wall == WallRule::interpolated && !row.single && diameter == 60) {
         EXPECT_LT(e.velocity, 0.001);
         EXPECT_LT(e.stressRms, 0.005);
       }

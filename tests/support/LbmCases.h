@@ -21,7 +21,7 @@ inline FlowConditions slowConditions(double area) {
 /// cut along the lattice, against Poiseuille's.
 inline StressError turnedTubeError(double degrees, int nodesAcross, const char* wall = "interpolated",
                                    const char* stress = "fitted") {
-  const double angle = degrees * std::numbers::pi / 180.0, radius = 0.5e-3, length = 2e-3;
+  const double angle = degrees * std::numbers::pi / 180.0, radius = 0.5e-3, length = 3e-3;
   // Through the ends, cut obliquely, flows what flows along the axis
   const FlowConditions conditions = slowConditions(std::numbers::pi * radius * radius);
   LbmSettings settings;

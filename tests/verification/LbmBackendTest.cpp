@@ -64,7 +64,7 @@ TEST(LbmBackend, poiseuilleInATubeTurnedFromTheLattice) {
 }
 
 TEST(LbmBackend, ellipticDuctTurnedAboutItsAxis) {
-  const auto e = ellipticDuctError(24);
+  const auto e = ellipticDuctError(36);
   EXPECT_LT(e.stress.l2, 0.02);
   EXPECT_LT(std::abs(e.stress.mean), 0.01);
   EXPECT_LT(std::abs(e.pressureDrop), 0.01);

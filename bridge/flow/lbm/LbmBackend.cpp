@@ -54,6 +54,9 @@ class Log {
 
 /// Spacings from the coarsest lattice to the finest.
 std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& settings) {
+  if (!(settings.dx > 0.0) || !std::isfinite(settings.dx))
+    throw std::invalid_argument(
+        fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
   const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / 3.14159265358979);
   if (across < leastNodesAcross * settings.dx)
     throw std::invalid_argument(
