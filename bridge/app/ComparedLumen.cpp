@@ -2,9 +2,12 @@
 
 #include <iostream>
 
+#include "AtomicFile.h"
 #include "LumenFile.h"
 #include "Progress.h"
 #include "Run.h"
+#include "SceneWriter.h"
+#include "Units.h"
 
 namespace restenosis {
 
@@ -18,6 +21,8 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
   deployment.flow.reset();
   deployment.output.pictures = false;
   const auto results = ResultsFolder::fresh(folder);
+  // Of the whole scene, so that this folder can be compared again with other settings
+  atomicWrite(results.scene(), writeScene(scene, Units()));
   Progress progress(std::cerr, Progress::onTerminal(), deployment.scene.duration);
   Run run(deployment, results, progress, {.threads = threads, .stopRequested = stopRequested});
   run.go();

@@ -58,9 +58,24 @@ TEST(LbmBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
   EXPECT_GT(top / area, 1.3 * vesselStress());
 }
 
+TEST(LbmBackend, coarseLatticesToStartFromChangeNothingButTheSteps) {
+  LbmSettings direct = spaced(50e-6), viaCoarse = direct;
+  direct.coarseLevels = 0;
+  viaCoarse.coarseLevels = 1;
+  const TriSurface lumen = stentedTube(vesselRadius, vesselLength, 90e-6);
+  const auto a = LbmBackend(direct).solve(lumen, vesselConditions(), {}),
+             b = LbmBackend(viaCoarse).solve(lumen, vesselConditions(), {});
+  double difference = 0.0, norm = 0.0;
+  for (std::size_t f = 0; f < a.wall.size(); ++f) {
+    difference += a.wall[f].area * (a.wall[f].traction - b.wall[f].traction).squaredNorm();
+    norm += a.wall[f].area * a.wall[f].traction.squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(difference / norm), 2.0 * direct.tolerance);
+}
+
 TEST(LbmBackend, poiseuilleInATubeTurnedFromTheLattice) {
-  EXPECT_LT(turnedTubeError(17.0, 30).l2, 0.02);
-  EXPECT_LT(turnedTubeError(45.0, 30).l2, 0.02);
+  EXPECT_LT(turnedTubeError(17.0, 24).l2, 0.02);
+  EXPECT_LT(turnedTubeError(45.0, 24).l2, 0.02);
 }
 
 TEST(LbmBackend, ellipticDuctTurnedAboutItsAxis) {

@@ -35,10 +35,11 @@ void LbmSettings::describe(ParameterVisitor& p) {
   p.choice(
       wall, {"interpolated", "bounceBack"},
       {.key = "wall", .source = "assumed", .description = "the wall where it is, or half a link away (T6)"});
-  p.choice(stress, {"fitted", "nearest"},
+  p.choice(stress, {"adaptive", "fitted", "gradient", "nearest"},
            {.key = "stress",
             .source = "assumed",
-            .description = "stress carried to the wall, or as the nearest node has it"});
+            .description = "from the stress of the nodes around (fitted), from the velocity gradient at the "
+                           "wall (gradient), the second near edges only (adaptive), or the nearest node's"});
   p.choice(precision, {"double", "float"},
            {.key = "precision", .source = "assumed", .description = "of the populations"});
   p.quantity(latticeVelocity,

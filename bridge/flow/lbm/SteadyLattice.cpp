@@ -20,6 +20,12 @@ constexpr double runawayVelocity = 1.0;
 /// that of diffusion across it where it is shorter.
 constexpr double checksPerPassage = 20.0;
 
+StressRule stressRule(const std::string& name) {
+  if (name == "nearest") return StressRule::nearest;
+  if (name == "gradient") return StressRule::gradient;
+  return name == "fitted" ? StressRule::fitted : StressRule::adaptive;
+}
+
 }  // namespace
 
 SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions,
@@ -28,7 +34,8 @@ SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& cond
       estimate_(lumen, conditions),
       lattice_(makeLumenLattice(lumen, dx, settings.maximumNodes)),
       units_(latticeUnits(lattice_.frame.dx, estimate_, conditions, settings.latticeVelocity)),
-      stress_(lumen, lattice_, settings.stress == "nearest" ? StressRule::nearest : StressRule::fitted) {
+      stress_(lumen, lattice_, stressRule(settings.stress),
+              (units_.relaxationTime(conditions.kinematicViscosity) - 0.5) / 3.0) {
   relaxation_.tau = units_.relaxationTime(conditions.kinematicViscosity);
   relaxation_.magic = settings.magic;
   relaxation_.single = settings.collision == "bgk";
@@ -103,10 +110,10 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
   for (;;) {
     flow_->advance(static_cast<int>(interval / 2));
     steps_ += interval;
-    const auto stresses = stress_.stresses(*flow_);
+    const auto values = stress_.nodeValues(*flow_);
     std::vector<double> sample;
     for (std::size_t f = 0; f < stress_.faces(); f += stride) {
-      const Vec3 t = stress_.traction(f, stresses, 1.0);
+      const Vec3 t = stress_.traction(f, values, 1.0);
       if (!(t.squaredNorm() < runawayVelocity)) diverged();
       sample.insert(sample.end(), {t.x(), t.y(), t.z()});
     }
@@ -127,7 +134,7 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
 }
 
 std::vector<WallFace> SteadyLattice::wall() const {
-  return stress_.wall(stress_.stresses(*flow_), units_.pressure());
+  return stress_.wall(stress_.nodeValues(*flow_), units_.pressure());
 }
 
 SteadyLattice::Layer SteadyLattice::layer(int z) const {

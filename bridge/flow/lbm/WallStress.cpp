@@ -1,65 +1,22 @@
 #include "WallStress.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "PointTree.h"
+#include "SmoothNormals.h"
+#include "WallFit.h"
 
 namespace restenosis {
 namespace {
 
-/// Nodes count up to this distance [spacings]; where there are too few for a fit, up to the larger one.
-constexpr double radius = 3.5, largeRadius = 5.0;
-/// Nodes below which no slope is fitted.
+/// Nodes count up to this distance [spacings], for values and for derivatives (assumed; docs/results/lbm.md).
+constexpr double valueRadius = 2.5, derivativeRadius = 3.0;
+/// Where there are fewer than `fewestNodes`, those up to this distance.
+constexpr double largeRadius = 5.0;
 constexpr std::size_t fewestNodes = 6;
-/// Weight of nodes with a link to the wall: their stress carries the error of the wall rule (first order), so
-/// they only decide where there are no others.
-constexpr double firstLayerWeight = 0.01;
-/// Ridge on the slopes, relative to the sum of weights: decides where nodes lie in a plane.
-constexpr double ridge = 1e-6;
-
-/// Faces that meet at a larger angle than 45 degrees do not smooth each other's normals.
-constexpr double creaseCosine = 0.7071;
-
-struct NearNode {
-  std::uint32_t place;
-  Vec3 offset;  // from the face's centre [spacings]
-  double weight;
-};
-
-/// Smoothed normals: of the faces around the vertices of each face, area-weighted, those beyond a crease left
-/// out.
-class SmoothNormals {
- public:
-  explicit SmoothNormals(const TriSurface& s) : surface_(s), first_(s.vertices.size() + 1, 0) {
-    forEachCorner([this](std::uint32_t vertex, std::uint32_t) { ++first_[vertex + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    faces_.resize(first_.back());
-    auto next = first_;
-    forEachCorner([&](std::uint32_t vertex, std::uint32_t face) { faces_[next[vertex]++] = face; });
-  }
-  Vec3 at(std::size_t face) const {
-    const Vec3 own = surface_.areaVector(face).normalized();
-    Vec3 sum = Vec3::Zero();
-    for (const auto v : surface_.triangles[face])
-      for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-        const Vec3 other = surface_.areaVector(faces_[k]);
-        if (other.dot(own) > creaseCosine * other.norm()) sum += other;
-      }
-    return sum.normalized();
-  }
-
- private:
-  template <class F>
-  void forEachCorner(F&& f) const {
-    for (std::uint32_t i = 0; i < surface_.triangles.size(); ++i) {
-      if (surface_.region[i] != SurfaceRegion::wall && surface_.region[i] != SurfaceRegion::strut) continue;
-      for (const auto v : surface_.triangles[i]) f(v, i);
-    }
-  }
-  const TriSurface& surface_;
-  std::vector<std::uint32_t> first_, faces_;
-};
+/// An edge is near where the normals of faces within this distance [spacings] differ by more than 35 degrees.
+constexpr double edgeReach = 3.0, edgeCosine = 0.819;
 
 class NodeFinder {
  public:
@@ -71,9 +28,6 @@ class NodeFinder {
     for (const NodeRun& run : lattice.layout.runs())
       for (std::uint32_t k = 0; k < run.count; ++k)
         place_[at(run.x, run.y, run.z + static_cast<int>(k))] = run.first + k;
-    for (const auto& link : lattice.links) linked_.push_back(link.node);
-    std::sort(linked_.begin(), linked_.end());
-    linked_.erase(std::unique(linked_.begin(), linked_.end()), linked_.end());
   }
 
   /// Fluid nodes within `reach` spacings on the lumen's side of a face, in the order of the lattice.
@@ -93,8 +47,7 @@ class NodeFinder {
           if (distance >= 1.0 || offset.dot(normal) > 0.0) continue;
           const std::uint32_t place = place_[at(x, y, z)];
           if (place == none) continue;
-          const bool first = std::binary_search(linked_.begin(), linked_.end(), place);
-          found.push_back({place, offset, (first ? firstLayerWeight : 1.0) * (1.0 - distance * distance)});
+          found.push_back({place, offset, 1.0 - distance * distance});
         }
     return found;
   }
@@ -108,58 +61,58 @@ class NodeFinder {
            static_cast<std::size_t>(z);
   }
   LatticeFrame frame_;
-  std::vector<std::uint32_t> place_, linked_;
+  std::vector<std::uint32_t> place_;
 };
 
-/// Turns weights of a fit into those of its value at the origin of the offsets.
-void fitToOrigin(std::vector<NearNode>& nodes) {
-  Eigen::Matrix4d normalMatrix = Eigen::Matrix4d::Zero();
-  double total = 0.0;
-  const auto row = [](const NearNode& n) {
-    return Eigen::Vector4d(1.0, n.offset.x(), n.offset.y(), n.offset.z());
-  };
-  for (const NearNode& n : nodes) {
-    normalMatrix += n.weight * row(n) * row(n).transpose();
-    total += n.weight;
+/// Where the wall bends within a few spacings.
+class EdgeFinder {
+ public:
+  EdgeFinder(const std::vector<Vec3>& centres, const std::vector<Vec3>& normals)
+      : tree_(centres), normals_(normals) {}
+  bool near(const Vec3& centre, const Vec3& normal, double reach) const {
+    for (const std::size_t face : tree_.within(centre, reach))
+      if (normals_[face].dot(normal) < edgeCosine) return true;
+    return false;
   }
-  if (nodes.size() < fewestNodes) {
-    for (NearNode& n : nodes) n.weight /= total;
-    return;
-  }
-  normalMatrix.diagonal().tail<3>().array() += ridge * total;
-  const Eigen::Vector4d value = normalMatrix.ldlt().solve(Eigen::Vector4d::Unit(0));
-  for (NearNode& n : nodes) n.weight *= value.dot(row(n));
-}
 
-void keepNearest(std::vector<NearNode>& nodes) {
-  const auto nearest = std::min_element(nodes.begin(), nodes.end(), [](const NearNode& a, const NearNode& b) {
-    return a.offset.squaredNorm() < b.offset.squaredNorm();
-  });
-  nodes = {{nearest->place, nearest->offset, 1.0}};
-}
+ private:
+  PointTree tree_;
+  const std::vector<Vec3>& normals_;
+};
 
 }  // namespace
 
-WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule) {
+WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule,
+                       double viscosity)
+    : viscosity_(viscosity) {
   const SmoothNormals normals(lumen);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
     const double area = lumen.areaVector(i).norm();
     if (!(area > 0.0)) continue;
-    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0});
+    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0, false});
   }
 
+  std::vector<Vec3> faceCentres, faceNormals;
+  for (const Face& f : faces_) faceCentres.push_back(f.centre), faceNormals.push_back(f.normal);
   const NodeFinder finder(lattice);
+  const EdgeFinder edges(faceCentres, faceNormals);
   std::vector<std::vector<NearNode>> found(faces_.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    auto nodes = finder.around(faces_[f].centre, faces_[f].normal, radius);
-    if (nodes.size() < fewestNodes) nodes = finder.around(faces_[f].centre, faces_[f].normal, largeRadius);
+    Face& face = faces_[f];
+    face.gradient =
+        rule == StressRule::gradient ||
+        (rule == StressRule::adaptive && edges.near(face.centre, face.normal, edgeReach * lattice.frame.dx));
+    auto nodes = finder.around(face.centre, face.normal, face.gradient ? derivativeRadius : valueRadius);
+    if (nodes.size() < fewestNodes) nodes = finder.around(face.centre, face.normal, largeRadius);
     if (nodes.empty()) continue;
-    if (rule == StressRule::nearest)
+    if (face.gradient)
+      fitWallDerivative(nodes, face.normal);
+    else if (rule == StressRule::nearest)
       keepNearest(nodes);
     else
-      fitToOrigin(nodes);
+      fitValue(nodes);
     found[f] = std::move(nodes);
   }
 
@@ -178,32 +131,35 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
   }
 }
 
-Vec3 WallStress::traction(std::size_t face, const std::vector<std::array<double, 6>>& stress,
-                          double pascal) const {
+Vec3 WallStress::traction(std::size_t face, const std::vector<NodeValue>& values, double pascal) const {
   const Face& f = faces_[face];
-  std::array<double, 6> s{};
+  NodeValue s{};
   for (std::uint32_t t = f.first; t < f.first + f.count; ++t)
-    for (std::size_t k = 0; k < 6; ++k) s[k] += terms_[t].weight * stress[terms_[t].node][k];
+    for (std::size_t k = 0; k < s.size(); ++k) s[k] += terms_[t].weight * values[terms_[t].node][k];
   const Vec3& n = f.normal;
-  const Vec3 onWall =
-      -Vec3(s[0] * n.x() + s[3] * n.y() + s[4] * n.z(), s[3] * n.x() + s[1] * n.y() + s[5] * n.z(),
-            s[4] * n.x() + s[5] * n.y() + s[2] * n.z());
+  Vec3 onWall = viscosity_ * Vec3(s[6], s[7], s[8]);
+  if (!f.gradient)
+    onWall = -Vec3(s[0] * n.x() + s[3] * n.y() + s[4] * n.z(), s[3] * n.x() + s[1] * n.y() + s[5] * n.z(),
+                   s[4] * n.x() + s[5] * n.y() + s[2] * n.z());
   return pascal * (onWall - onWall.dot(n) * n);
 }
 
-std::vector<WallFace> WallStress::wall(const std::vector<std::array<double, 6>>& stress,
-                                       double pascal) const {
+std::vector<WallFace> WallStress::wall(const std::vector<NodeValue>& values, double pascal) const {
   std::vector<WallFace> result;
   result.reserve(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f)
-    result.push_back({faces_[f].centre, faces_[f].area, traction(f, stress, pascal), faces_[f].region});
+    result.push_back({faces_[f].centre, faces_[f].area, traction(f, values, pascal), faces_[f].region});
   return result;
 }
 
-std::vector<std::array<double, 6>> WallStress::stresses(const LatticeFlowBase& flow) const {
-  std::vector<std::array<double, 6>> result(nodes_.size());
+std::vector<WallStress::NodeValue> WallStress::nodeValues(const LatticeFlowBase& flow) const {
+  std::vector<NodeValue> result(nodes_.size());
 #pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < nodes_.size(); ++n) result[n] = flow.state(nodes_[n]).stress;
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const NodeState state = flow.state(nodes_[n]);
+    std::copy(state.stress.begin(), state.stress.end(), result[n].begin());
+    std::copy(state.velocity.begin(), state.velocity.end(), result[n].begin() + 6);
+  }
   return result;
 }
 

@@ -10,34 +10,36 @@
 
 namespace restenosis {
 
-/// How the stress of nodes is carried to the wall.
+/// How the stress on a face of the wall follows from the nodes near it.
 enum class StressRule {
-  nearest,  ///< that of the nearest node, as it is
-  fitted    ///< a linear function fitted to the nodes around, at the wall
+  adaptive,  ///< fitted where the wall is smooth on the scale of the spacing, gradient near edges
+  gradient,  ///< of the velocity along the normal, fitted to the nodes around with none on the wall
+  fitted,    ///< a linear function fitted to the stress of the nodes around, at the wall
+  nearest    ///< the stress of the nearest node, as it is
 };
 
-/// Carries the viscous stress from fluid nodes to the faces of the wall.
+/// Finds the stress on the faces of wall and struts.
 ///
-/// For each face of wall or struts a linear function is fitted, by weighted least squares, to the stress at
-/// the nodes within a few spacings on the lumen's side of the face; its value at the face's centre is the
-/// stress at the wall. As the fit is linear in the data, each face keeps its nodes and their weights. Normals
-/// are smoothed: the area-weighted mean over the faces around, but not over edges sharper than 45 degrees.
+/// Every rule is linear in what the nodes within a few spacings on the lumen's side of a face hold, so each
+/// face keeps its nodes and their weights. Normals are smoothed (SmoothNormals).
 class WallStress {
  public:
-  WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule = StressRule::fitted);
+  /// @param viscosity kinematic, in lattice units
+  WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule, double viscosity);
 
   /// Number of faces of wall and struts, in the order of the surface's triangles.
   std::size_t faces() const { return faces_.size(); }
   /// Faces without any node near them, in crevices narrower than the spacing; their traction is zero.
   std::size_t bareFaces() const { return bare_; }
-  /// The nodes whose state is needed, by place.
-  const std::vector<std::uint32_t>& nodes() const { return nodes_; }
-  /// Traction of the fluid on the wall [Pa] at one face, from the viscous stresses at nodes() times `pascal`.
-  Vec3 traction(std::size_t face, const std::vector<std::array<double, 6>>& stress, double pascal) const;
+
+  /// What is taken from a node: its viscous stress and its velocity.
+  using NodeValue = std::array<double, 9>;
+  /// Of the nodes near the wall, in lattice units.
+  std::vector<NodeValue> nodeValues(const LatticeFlowBase& flow) const;
+  /// Traction of the fluid on the wall at one face: in lattice units times `pascal`.
+  Vec3 traction(std::size_t face, const std::vector<NodeValue>& values, double pascal) const;
   /// All faces with their traction.
-  std::vector<WallFace> wall(const std::vector<std::array<double, 6>>& stress, double pascal) const;
-  /// The stresses at nodes() in lattice units.
-  std::vector<std::array<double, 6>> stresses(const LatticeFlowBase& flow) const;
+  std::vector<WallFace> wall(const std::vector<NodeValue>& values, double pascal) const;
 
  private:
   struct Face {
@@ -45,14 +47,16 @@ class WallStress {
     double area;
     SurfaceRegion region;
     std::uint32_t first, count;  ///< of terms_
+    bool gradient;               ///< from velocities
   };
   struct Term {
     std::uint32_t node;  ///< of nodes_
     double weight;
   };
+  double viscosity_;
   std::vector<Face> faces_;
   std::vector<Term> terms_;
-  std::vector<std::uint32_t> nodes_;
+  std::vector<std::uint32_t> nodes_;  ///< places
   std::size_t bare_ = 0;
 };
 

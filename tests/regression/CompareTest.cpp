@@ -1,0 +1,67 @@
+#include "OpenFoamPresent.h"
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+using Compare = WholeProgram;
+
+constexpr const char* straightTube = R"([scene]
+duration = "1 h"
+fidelity = "draft"
+[vessel]
+length = "0.6 mm"
+lumenDiameter = "1.8 mm"
+[flow]
+drive = "flowRate"
+meanVelocity = "0.133 m/s"
+[lbm]
+dx = "60 um"
+[output]
+pictures = false
+)";
+
+TEST_F(Compare, BothBackendsFindPoiseuillesStressInATube) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  ASSERT_EXIT_STATUS(run({"compare", scene("straight", straightTube), "-o", "out"}), 0);
+  const auto json = nlohmann::json::parse(readText(folder / "out/compare.json"));
+  const double exact = 4.0 * 2.7e-3 * 0.133 / 0.9e-3;
+  const auto& wall = json["wss"]["wall"];
+  EXPECT_NEAR(wall["foamMean_Pa"], exact, 0.01 * exact);
+  EXPECT_NEAR(wall["lbmMean_Pa"], exact, 0.01 * exact);
+  EXPECT_LT(wall["relativeL2"], 0.03);
+  EXPECT_NEAR(json["pressureDropDifference"], 0.0, 0.03);
+  EXPECT_LT(json["velocity"]["axis"]["relativeL2"], 0.03);
+  EXPECT_EQ(json["velocity"]["planes"].size(), 5u);
+  EXPECT_GT(json["foam"]["seconds"], 0.0);
+  EXPECT_GT(json["lbm"]["seconds"], 0.0);
+  EXPECT_EQ(json["wss"]["unknownFaces"], 0);
+  EXPECT_TRUE(exists("out/compare.vtp"));
+  EXPECT_TRUE(exists("out/foam/case.foam"));
+  EXPECT_TRUE(exists("out/compareVelocity.csv"));
+}
+
+TEST_F(Compare, TakesTheLumenOfARun) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const std::string straight = scene("straight", straightTube);
+  ASSERT_EXIT_STATUS(run({"run", straight, "-o", "done", "--flow", "analytic"}), 0);
+  ASSERT_EXIT_STATUS(run({"compare", "done", "--day", "0"}), 0);
+  const auto json = nlohmann::json::parse(readText(folder / "done/compare/compare.json"));
+  EXPECT_EQ(json["scene"], "done");
+  EXPECT_EQ(json["day"], 0.0);
+}
+
+TEST_F(Compare, WrongInputIsNamed) {
+  std::string text = straightTube;
+  text.replace(text.find("[flow]"), text.find("[lbm]") - text.find("[flow]"), "");
+  auto end = run({"compare", scene("dry", text)});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(toString(end).find("[flow]"), std::string::npos);
+  end = run({"compare", scene("straight", straightTube), "--day", "3"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(toString(end).find("--day"), std::string::npos);
+  EXPECT_EXIT_STATUS(run({"compare", "missing.toml"}), 2);
+}
+
+}  // namespace
+}  // namespace restenosis
