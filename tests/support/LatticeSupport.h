@@ -12,8 +12,8 @@
 namespace restenosis::testing {
 
 /// What a solved lattice flow is off from Poiseuille's, relative: velocity in L2 over the nodes; wall shear
-/// stress in the area-weighted mean and rms over the faces, from the velocity gradient,
-/// from the fitted stress (rms) and as the nearest node has it (rms).
+/// stress in the area-weighted mean and rms over the faces, then the rms from the velocity gradient
+/// everywhere and from the nearest node's stress.
 struct PoiseuilleError {
   double velocity, stressMean, stressRms, gradientRms, nearestRms;
 };

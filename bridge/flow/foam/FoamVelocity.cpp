@@ -19,8 +19,9 @@ namespace restenosis {
 namespace {
 
 constexpr double millimetre = 1e-3;
-/// Cells that a fit takes in; a quadratic function has ten coefficients.
-constexpr std::size_t fitted = 32;
+/// Cells that a fit takes in; a quadratic function has ten coefficients. In a cubic grid 32 may lie in four
+/// columns, which do not determine it.
+constexpr std::size_t fitted = 64;
 
 struct CellVelocities {
   std::vector<Vec3> centre, velocity;  // [m], [m/s]

@@ -12,6 +12,8 @@ namespace {
 
 /// Nodes count up to this distance [spacings], for values and for derivatives (assumed; docs/results/lbm.md).
 constexpr double valueRadius = 2.5, derivativeRadius = 3.0;
+/// Nodes with a link to the wall count less in values: their stress carries the wall rule's error.
+constexpr double linkedWeight = 0.1;
 /// Where there are fewer than `fewestNodes`, those up to this distance.
 constexpr double largeRadius = 5.0;
 constexpr std::size_t fewestNodes = 6;
@@ -28,10 +30,14 @@ class NodeFinder {
     for (const NodeRun& run : lattice.layout.runs())
       for (std::uint32_t k = 0; k < run.count; ++k)
         place_[at(run.x, run.y, run.z + static_cast<int>(k))] = run.first + k;
+    for (const auto& link : lattice.links) linked_.push_back(link.node);
+    std::sort(linked_.begin(), linked_.end());
+    linked_.erase(std::unique(linked_.begin(), linked_.end()), linked_.end());
   }
 
   /// Fluid nodes within `reach` spacings on the lumen's side of a face, in the order of the lattice.
-  std::vector<NearNode> around(const Vec3& centre, const Vec3& normal, double reach) const {
+  /// Those with a link to the wall weigh `ofLinked` times what others do.
+  std::vector<NearNode> around(const Vec3& centre, const Vec3& normal, double reach, double ofLinked) const {
     const Vec3 middle = (centre - frame_.origin) / frame_.dx;
     const auto low = [&](int d) { return std::max(0, static_cast<int>(std::ceil(middle[d] - reach))); };
     const auto high = [&](int d) {
@@ -47,7 +53,8 @@ class NodeFinder {
           if (distance >= 1.0 || offset.dot(normal) > 0.0) continue;
           const std::uint32_t place = place_[at(x, y, z)];
           if (place == none) continue;
-          found.push_back({place, offset, 1.0 - distance * distance});
+          const bool linked = std::binary_search(linked_.begin(), linked_.end(), place);
+          found.push_back({place, offset, (linked ? ofLinked : 1.0) * (1.0 - distance * distance)});
         }
     return found;
   }
@@ -61,7 +68,7 @@ class NodeFinder {
            static_cast<std::size_t>(z);
   }
   LatticeFrame frame_;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> place_, linked_;
 };
 
 /// Where the wall bends within a few spacings.
@@ -104,8 +111,10 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
     face.gradient =
         rule == StressRule::gradient ||
         (rule == StressRule::adaptive && edges.near(face.centre, face.normal, edgeReach * lattice.frame.dx));
-    auto nodes = finder.around(face.centre, face.normal, face.gradient ? derivativeRadius : valueRadius);
-    if (nodes.size() < fewestNodes) nodes = finder.around(face.centre, face.normal, largeRadius);
+    const double ofLinked = face.gradient ? 1.0 : linkedWeight;
+    auto nodes =
+        finder.around(face.centre, face.normal, face.gradient ? derivativeRadius : valueRadius, ofLinked);
+    if (nodes.size() < fewestNodes) nodes = finder.around(face.centre, face.normal, largeRadius, ofLinked);
     if (nodes.empty()) continue;
     if (face.gradient)
       fitWallDerivative(nodes, face.normal);

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "WallFit.h"
+
+namespace restenosis {
+namespace {
+
+/// Nodes of a cubic lattice below a plane through the origin with this normal, at some offset.
+std::vector<NearNode> nodesBelow(const Vec3& normal, double reach) {
+  std::vector<NearNode> nodes;
+  std::uint32_t place = 0;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y)
+      for (int z = -4; z <= 4; ++z) {
+        const Vec3 offset = Vec3(x, y, z) + Vec3(0.31, -0.17, 0.23);
+        const double distance = offset.norm() / reach;
+        if (distance < 1.0 && offset.dot(normal) < 0.0)
+          nodes.push_back({place++, offset, 1.0 - distance * distance});
+      }
+  return nodes;
+}
+
+template <class Field>
+double applied(const std::vector<NearNode>& nodes, const Field& field) {
+  double sum = 0.0;
+  for (const NearNode& n : nodes) sum += n.weight * field(n.offset);
+  return sum;
+}
+
+const Vec3 oblique = Vec3(1.0, 2.0, -0.5).normalized();
+
+TEST(WallFit, valueOfALinearFieldIsExact) {
+  auto nodes = nodesBelow(oblique, 2.5);
+  fitValue(nodes);
+  EXPECT_NEAR(applied(nodes, [](const Vec3& p) { return 3.0 + p.x() - 2.0 * p.y() + 0.5 * p.z(); }), 3.0,
+              1e-4);
+}
+
+TEST(WallFit, derivativeOfAQuadraticFieldThatVanishesOnTheWallIsExact) {
+  auto nodes = nodesBelow(oblique, 3.0);
+  fitWallDerivative(nodes, oblique);
+  const Vec3 along = oblique.unitOrthogonal();
+  const auto field = [&](const Vec3& p) {
+    const double d = -p.dot(oblique), s = p.dot(along);
+    return 2.0 * d - 0.3 * d * d + 0.2 * d * s;
+  };
+  EXPECT_NEAR(applied(nodes, field), 2.0, 1e-4);
+}
+
+TEST(WallFit, theWallMayBend) {
+  auto nodes = nodesBelow(oblique, 3.0);
+  fitWallDerivative(nodes, oblique);
+  const Vec3 along = oblique.unitOrthogonal();
+  // Zero on the wall d = s^2 / (2 R) with R = 15
+  const auto field = [&](const Vec3& p) {
+    const double d = -p.dot(oblique), s = p.dot(along);
+    return d - s * s / 30.0;
+  };
+  EXPECT_NEAR(applied(nodes, field), 1.0, 1e-4);
+}
+
+TEST(WallFit, fewNodesGiveTheSlopeFromTheWall) {
+  std::vector<NearNode> nodes = {{0, -0.5 * oblique, 1.0}, {1, -1.5 * oblique, 0.5}};
+  fitWallDerivative(nodes, oblique);
+  EXPECT_NEAR(applied(nodes, [](const Vec3& p) { return -3.0 * p.dot(oblique); }), 3.0, 1e-12);
+}
+
+TEST(WallFit, fewNodesGiveTheirMean) {
+  std::vector<NearNode> nodes = {{0, -0.5 * oblique, 1.0}, {1, -1.5 * oblique, 3.0}};
+  fitValue(nodes);
+  EXPECT_NEAR(nodes[0].weight, 0.25, 1e-15);
+  EXPECT_NEAR(nodes[1].weight, 0.75, 1e-15);
+}
+
+TEST(WallFit, nearest) {
+  auto nodes = nodesBelow(oblique, 2.5);
+  double least = 1e9;
+  for (const auto& n : nodes) least = std::min(least, n.offset.norm());
+  keepNearest(nodes);
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(nodes[0].weight, 1.0);
+  EXPECT_EQ(nodes[0].offset.norm(), least);
+}
+
+}  // namespace
+}  // namespace restenosis
