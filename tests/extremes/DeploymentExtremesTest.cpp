@@ -1,0 +1,67 @@
+// Deployments as no one should ask for them.
+
+#include <gtest/gtest.h>
+
+#include "Deployment.h"
+#include "WallPacking.h"
+
+namespace restenosis {
+namespace {
+
+struct Setting {
+  Setting() {
+    vessel.length = 0.3e-3;
+    vessel.lumenDiameter = 0.4e-3;
+    mechanics.tolerance = 0.1;
+    stent.deploymentDepth = 60e-6;
+  }
+  VesselParameters vessel;
+  StentParameters stent;
+  MechanicsParameters mechanics;
+};
+
+/// Deploys and expects a wall that is whole, or a failure that names a setting.
+void deploy(const Setting& s) {
+  Wall wall = packWall(s.vessel, s.mechanics, 1);
+  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  try {
+    deployment.run();
+  } catch (const RelaxationFailed& failure) {
+    EXPECT_NE(std::string(failure.what()).find("mechanics."), std::string::npos) << failure.what();
+    return;
+  }
+  const DeploymentStatistics statistics = deployment.statistics();
+  EXPECT_EQ(statistics.outside, 0u);
+  for (Index i = 0; i < wall.agents.size(); ++i) {
+    ASSERT_TRUE(wall.agents.position(i).allFinite());
+    ASSERT_GE(wall.agents.z[i], 0);
+    ASSERT_LE(wall.agents.z[i], s.vessel.length);
+  }
+}
+
+TEST(DeploymentExtremes, InOneStep) {
+  for (const char* outer : {"free", "fixed"}) {
+    SCOPED_TRACE(outer);
+    Setting s;
+    s.stent.deploymentSteps = 1;
+    s.stent.outerLamina = outer;
+    deploy(s);
+  }
+}
+
+TEST(DeploymentExtremes, ThroughMostOfTheWall) {
+  Setting s;
+  s.stent.deploymentDepth = 0.9 * s.vessel.wallThickness;
+  s.stent.deploymentSteps = 20;
+  deploy(s);
+}
+
+TEST(DeploymentExtremes, ByNothing) {
+  Setting s;
+  s.stent.deploymentDepth = 0;
+  s.stent.deploymentSteps = 1;
+  deploy(s);
+}
+
+}  // namespace
+}  // namespace restenosis

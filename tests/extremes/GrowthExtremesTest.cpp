@@ -1,0 +1,118 @@
+// Biology at the ends of what a scene may say: the run ends well, or stops with a message that names a
+// setting.
+
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+class GrowthExtremes : public WholeProgram {
+ protected:
+  /// The summary of the tiny scene with other values; null where the run stopped and said which setting to
+  /// change.
+  nlohmann::json grow(const std::vector<std::string>& overrides) const {
+    std::vector<std::string> arguments = {"run", scene("tiny", tinyScene), "-o", "out"};
+    for (const auto& value : overrides) arguments.insert(arguments.end(), {"--set", value});
+    const ProcessEnd end = run(arguments);
+    if (end.status == 1) {
+      EXPECT_NE(end.err.find("mechanics."), std::string::npos) << toString(end);
+      return {};
+    }
+    EXPECT_EQ(end.status, 0) << toString(end);
+    // JSON has no NaN: a value that is none is written as null.
+    for (const auto& [key, value] : summary("out")["final"].items()) {
+      if (!key.starts_with("wss") && !key.starts_with("nitric")) {
+        EXPECT_FALSE(value.is_null()) << key;
+      }
+    }
+    return summary("out");
+  }
+};
+
+const std::string noFlow = "flow.backend=none";
+
+TEST_F(GrowthExtremes, AStepOfADay) {
+  const auto json = grow({"scene.step=24 h", "scene.duration=4 d"});
+  ASSERT_FALSE(json.is_null());
+  EXPECT_GT(json["final"]["divisions"], 0);
+}
+
+TEST_F(GrowthExtremes, PhasesOfNoLength) {
+  const auto json = grow({"cellCycle.g1Mean=0 h", "cellCycle.g1Spread=0 h", "cellCycle.sg2mDuration=0 h",
+                          noFlow, "scene.duration=8 h"});
+  if (!json.is_null()) {
+    EXPECT_GT(json["final"]["divisions"], 0);
+  }
+}
+
+TEST_F(GrowthExtremes, AllCellsDividingAtOnce) {
+  const auto json = grow({"cellCycle.g1Spread=0 h", "contactInhibition.law=neighbourCount",
+                          "contactInhibition.countThreshold=1000000", noFlow, "scene.duration=34 h"});
+  if (json.is_null()) return;
+  const int synthetic = json["final"]["synthetic"], divisions = json["final"]["divisions"];
+  EXPECT_GT(divisions, 0);
+  EXPECT_EQ(synthetic, 2 * divisions);
+}
+
+TEST_F(GrowthExtremes, ThresholdsThatHoldEveryCell) {
+  for (const auto& threshold :
+       {std::vector<std::string>{"contactInhibition.exposureThreshold=1"},
+        {"contactInhibition.law=neighbourCount", "contactInhibition.countThreshold=0"}}) {
+    auto overrides = threshold;
+    overrides.insert(overrides.end(), {noFlow, "scene.duration=2 d"});
+    const auto json = grow(overrides);
+    ASSERT_FALSE(json.is_null());
+    EXPECT_EQ(json["final"]["divisions"], 0) << threshold[0];
+  }
+}
+
+TEST_F(GrowthExtremes, AThresholdThatHoldsNoExposedCell) {
+  const auto json = grow({"contactInhibition.exposureThreshold=0", noFlow, "scene.duration=2 d"});
+  if (!json.is_null()) {
+    EXPECT_GT(json["final"]["divisions"], 44);  // of the default threshold
+  }
+}
+
+TEST_F(GrowthExtremes, NitricOxideThatArrestsAtOnceAndNever) {
+  const auto atOnce = grow({"endothelium.nitricOxideThreshold=0.000001 nmol/mm^3"});
+  const auto never = grow({"endothelium.nitricOxideThreshold=1000000 nmol/mm^3"});
+  ASSERT_FALSE(atOnce.is_null());
+  ASSERT_FALSE(never.is_null());
+  EXPECT_LT(atOnce["final"]["divisions"], never["final"]["divisions"]);
+}
+
+/// A vessel of the given agents, one a row of x, y, z, radius.
+class FewAgents : public GrowthExtremes, public testing::WithParamInterface<int> {};
+
+TEST_P(FewAgents, AreATissueToo) {
+  std::string table = "x,y,z,radius,kind\n";
+  for (int k = 0; k < GetParam(); ++k)
+    table += std::to_string(300 + 20 * k) + ",0," + std::to_string(100 + 3 * k) + ",18,smc\n";
+  writeText(folder / "agents.csv", table);
+  const std::string text = R"([scene]
+duration = "3 d"
+step = "1 h"
+[vessel]
+length = "0.24 mm"
+lumenDiameter = "0.4 mm"
+wallThickness = "0.12 mm"
+agents = "agents.csv"
+fixedEnds = 0
+[injury]
+synthetic = "all"
+[mechanics]
+[cellCycle]
+[output]
+pictures = false
+)";
+  const ProcessEnd end = run({"run", scene("few", text), "-o", "out"});
+  EXPECT_EXIT_STATUS(end, 0);
+  if (end.status == 0) {
+    EXPECT_GT(summary("out")["final"]["divisions"], 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Count, FewAgents, testing::Values(1, 10));
+
+}  // namespace
+}  // namespace restenosis
