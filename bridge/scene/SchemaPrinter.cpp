@@ -65,6 +65,7 @@ std::string_view presence(std::string_view section) {
   if (section == CouplingParameters::section || section == OutputParameters::section) {
     return "may be left out: its defaults then hold";
   }
+  if (section == LbmSettings::section) return "may be left out";
   return "left out: not modelled";
 }
 

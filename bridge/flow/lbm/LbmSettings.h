@@ -12,7 +12,7 @@ namespace restenosis {
 struct LbmSettings {
   static constexpr std::string_view section = "lbm";
   static constexpr std::string_view summary =
-      "Settings of the lattice Boltzmann backend; without the section, those of scene.fidelity";
+      "Settings of the lattice Boltzmann backend; without the section, the spacing follows scene.fidelity";
 
   double dx = 15e-6;                   ///< lattice spacing [m]
   std::string collision = "trt";       ///< trt or bgk
