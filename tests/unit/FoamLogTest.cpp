@@ -31,6 +31,15 @@ TEST(FoamLog, failedMeshChecksAreQuoted) {
   EXPECT_FALSE(meshReport("").problem.empty());
 }
 
+TEST(FoamLog, skewFacesAreCountedWhereNothingElseIsWrong) {
+  const std::string skew = " ***Max skewness = 5.5, 3 highly skew faces detected which may impair\n";
+  const auto onlySkew = meshReport(skew + "\nFailed 1 mesh checks.\n");
+  EXPECT_EQ(onlySkew.skewFaces, 3u);
+  EXPECT_DOUBLE_EQ(onlySkew.skewness, 5.5);
+  EXPECT_EQ(meshReport(skew + " ***Zero or negative cell volume\n\nFailed 2 mesh checks.\n").skewFaces, 0u);
+  EXPECT_EQ(meshReport("\nMesh OK.\n").skewFaces, 0u);
+}
+
 TEST(FoamLog, convergenceIsReportedOrAbsent) {
   EXPECT_EQ(convergedAfter("Time = 24\n\nSIMPLE solution converged in 24 iterations\n"), 24);
   EXPECT_FALSE(convergedAfter("Time = 400\n\nEnd\n"));

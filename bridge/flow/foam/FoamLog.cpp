@@ -50,6 +50,12 @@ MeshReport meshReport(const std::string& checkMeshLog) {
     if (!report.problem.empty()) report.problem += "; ";
     report.problem.append(line, 4);
   }
+  if (checkMeshLog.find("\nFailed 1 mesh checks") != std::string::npos) {
+    if (const auto rest = after(checkMeshLog, " ***Max skewness = ")) {
+      char comma = 0;
+      std::istringstream(*rest) >> report.skewness >> comma >> report.skewFaces;
+    }
+  }
   if (report.problem.empty()) report.problem = "did not report \"Mesh OK\"";
   return report;
 }

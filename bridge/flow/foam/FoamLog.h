@@ -22,6 +22,9 @@ struct MeshReport {
   std::size_t cells = 0;
   double volume = 0.0;  ///< [case length unit^3]
   std::string problem;  ///< the checks that failed, where not ok
+  std::size_t skewFaces =
+      0;                  ///< faces that are all that is wrong with the mesh; 0 where other checks failed too
+  double skewness = 0.0;  ///< the largest of theirs
 };
 MeshReport meshReport(const std::string& checkMeshLog);
 

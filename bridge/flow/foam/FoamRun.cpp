@@ -75,7 +75,16 @@ void FoamRun::mesh() {
              "the mesh's volume of {:.5g} mm^3 is not the surface's of {:.5g} mm^3: part of the lumen is "
              "cut off, or the surface leaks",
              volume / cubicMillimetre, lumen_.volume / cubicMillimetre));
-  if (!report.ok) fail("checkMesh", report.problem);
+  // A few skew faces cost accuracy beside them alone; whether the solution suffered is checked after it.
+  const bool fewSkewFaces = report.skewFaces > 0 &&
+                            report.skewFaces <= static_cast<std::size_t>(settings_.skewFaces) &&
+                            report.skewness <= settings_.skewness;
+  if (fewSkewFaces) {
+    solution_.remarks.push_back(fmt::format("the mesh has {} highly skew faces, of a skewness up to {:.3g}",
+                                            report.skewFaces, report.skewness));
+  } else if (!report.ok) {
+    fail("checkMesh", report.problem);
+  }
   solution_.cells = report.cells;
 }
 

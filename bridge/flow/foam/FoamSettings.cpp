@@ -63,6 +63,15 @@ void FoamSettings::describe(ParameterVisitor& p) {
                                .maximum = 1,
                                .source = "assumed",
                                .description = "largest relative difference of mesh and surface volume"});
+  p.integer(skewFaces, {.key = "skewFaces",
+                        .minimum = 0,
+                        .source = "assumed",
+                        .description = "most faces that checkMesh may find highly skew (above 4)"});
+  p.quantity(skewness,
+             {.key = "skewness",
+              .minimum = 4,
+              .source = "assumed",
+              .description = "largest skewness of a face; snappyHexMesh itself allows 20 on boundaries"});
   p.quantity(massTolerance, {.key = "massTolerance",
                              .minimum = 0,
                              .maximum = 1,

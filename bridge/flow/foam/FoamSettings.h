@@ -20,6 +20,8 @@ struct FoamSettings {
   std::int64_t pressureDrivenIterations = 4000;  ///< the same at a fixed pressure gradient
   double relaxation = 0.8;                       ///< of U
   double volumeTolerance = 0.02;                 ///< mesh volume against the surface's volume
+  std::int64_t skewFaces = 10;                   ///< most faces of a skewness above 4
+  double skewness = 20;                          ///< largest skewness
   double massTolerance = 1e-3;    ///< outflow against inflow, and inflow against the flow rate asked for
   double maximumCells = 6e6;      ///< estimate above which meshing is refused
   double minimumCellsAcross = 8;  ///< fewest core cells across the inlet
