@@ -18,10 +18,18 @@ TEST(ComparedParts, followTheDistanceFromStrutsAndEnds) {
     const double fromEnd = std::min(centre.z(), 2.0 * vesselLength - centre.z());
     const double fromStrut = std::abs(centre.z() - vesselLength) - 45e-6;
     ++found[static_cast<std::size_t>(faces.part[i])];
-    if (faces.part[i] == ComparedPart::ends) EXPECT_LT(fromEnd, 0.15e-3);
-    if (faces.part[i] == ComparedPart::strut) EXPECT_LT(fromStrut, 1e-6);
-    if (faces.part[i] == ComparedPart::smoothWall) EXPECT_GT(fromStrut, 0.3e-3);
-    if (faces.part[i] == ComparedPart::betweenStruts) EXPECT_LT(fromStrut, 0.4e-3);
+    if (faces.part[i] == ComparedPart::ends) {
+      EXPECT_LT(fromEnd, 0.15e-3);
+    }
+    if (faces.part[i] == ComparedPart::strut) {
+      EXPECT_LT(fromStrut, 1e-6);
+    }
+    if (faces.part[i] == ComparedPart::smoothWall) {
+      EXPECT_GT(fromStrut, 0.3e-3);
+    }
+    if (faces.part[i] == ComparedPart::betweenStruts) {
+      EXPECT_LT(fromStrut, 0.4e-3);
+    }
   }
   for (const int count : found) EXPECT_GT(count, 0);
 }
