@@ -94,7 +94,9 @@ TEST(LbmLimits, gapOfAboutOneNode) {
   LbmSettings settings = coarse();
   settings.maximumSteps = 20000;
   const std::string said = refusal(revolve(throat), conditions, settings);
-  if (!said.empty()) EXPECT_NE(said.find("dx"), std::string::npos) << said;
+  if (!said.empty()) {
+    EXPECT_NE(said.find("dx"), std::string::npos) << said;
+  }
 }
 
 TEST(LbmLimits, gapThinnerThanTheSpacing) {
