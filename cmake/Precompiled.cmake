@@ -2,18 +2,21 @@
 # most sources. The preset `dev` compiles without, which shows includes that are missing.
 option(RESTENOSIS_PRECOMPILED_HEADERS "Compile the headers of the libraries once" ON)
 
+# precompiled_headers(NAME HEADERS... LIBRARIES...): a library whose sources' common headers others reuse.
+function(precompiled_headers NAME)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  add_library(${NAME} STATIC ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${NAME} PRIVATE Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX ${ARG_LIBRARIES})
+  target_precompile_headers(${NAME} PRIVATE ${ARG_HEADERS} <Eigen/Dense> <fmt/format.h> <algorithm> <array> <cmath>
+    <filesystem> <fstream> <functional> <map> <memory> <optional> <regex> <span> <stdexcept> <string> <vector>)
+endfunction()
+
 if(RESTENOSIS_PRECOMPILED_HEADERS)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
-  add_library(rfPrecompiled STATIC ${CMAKE_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(rfPrecompiled PRIVATE Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
-  target_precompile_headers(rfPrecompiled PRIVATE <Eigen/Dense> <fmt/format.h> <algorithm> <array> <cmath> <filesystem>
-    <fstream> <functional> <map> <memory> <optional> <regex> <span> <stdexcept> <string> <vector>)
-endif()
-if(RESTENOSIS_PRECOMPILED_HEADERS AND RESTENOSIS_TESTS)
-  add_library(rfPrecompiledTests STATIC ${CMAKE_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(rfPrecompiledTests PRIVATE Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX GTest::gtest)
-  target_precompile_headers(rfPrecompiledTests PRIVATE <gtest/gtest.h> <Eigen/Dense> <fmt/format.h> <algorithm> <array>
-    <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <regex> <span> <stdexcept> <string> <vector>)
+  precompiled_headers(rfPrecompiled)
+  if(RESTENOSIS_TESTS)
+    precompiled_headers(rfPrecompiledTests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
+  endif()
 endif()
 
 # restenosis_precompiled(TARGET FROM): TARGET reads the headers compiled for FROM (rfPrecompiled or rfPrecompiledTests).

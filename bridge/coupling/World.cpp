@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "CylinderSurface.h"
-#include "LumenField.h"
 #include "LumenSurface.h"
 
 namespace restenosis {
@@ -29,29 +28,33 @@ LumenField idealLumen(const VesselParameters& vessel, double resolution) {
 World::World(const Scene& s, const ResultsFolder& f, Progress& p)
     : scene(s), folder(f), progress(p), wall(emptyWall(s.vessel)), biology(biologySettings(s)) {}
 
-void World::extractLumen() {
+void World::takeLumen() {
   auto measurement = timer.measure("surface");
+  surface_.reset();
   if (!scene.hasTissue()) {
-    lumen.present = RadialMap(idealLumen(scene.vessel, scene.coupling.surfaceResolution));
-    surface_ = cylinderSurface(scene.vessel);
+    field_ = idealLumen(scene.vessel, scene.coupling.surfaceResolution);
+    lumen.present = RadialMap(*field_);
     return;
   }
   const auto struts =
       stent ? std::span<const StrutSegment>(stent->segments) : std::span<const StrutSegment>();
-  const auto field = LumenField::fromTissue(wall.agents, struts, wall.length, fieldSettings(scene.coupling));
-  lumen.present = RadialMap(field);
-  lumen.detachedPieces = field.topology().islands;
-  if (field.occluded()) throw Occluded();
-  surface_ = extractSurface(field);
+  field_ = LumenField::fromTissue(wall.agents, struts, wall.length, fieldSettings(scene.coupling));
+  lumen.present = RadialMap(*field_);
+  lumen.detachedPieces = field_->topology().islands;
+  if (field_->occluded()) throw Occluded();
 }
 
 void World::updateLumen() {
-  extractLumen();
+  takeLumen();
   if (lumen.afterDeployment.planes() == 0) lumen.afterDeployment = lumen.present;
 }
 
 const TriSurface& World::lumenSurface() {
-  if (!surface_) extractLumen();
+  if (!field_) takeLumen();
+  if (!surface_) {
+    auto measurement = timer.measure("surface");
+    surface_ = scene.hasTissue() ? extractSurface(*field_) : cylinderSurface(scene.vessel);
+  }
   return *surface_;
 }
 

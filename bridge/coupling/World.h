@@ -8,6 +8,7 @@
 #include "ChangeLedger.h"
 #include "FlowBackend.h"
 #include "Injury.h"
+#include "LumenField.h"
 #include "PartTimer.h"
 #include "Progress.h"
 #include "RadialMap.h"
@@ -66,7 +67,8 @@ struct World {
   std::uint64_t divisions = 0;  ///< since deployment
   std::vector<std::string> remarks;
 
-  /// The triangulated lumen of the present agents; taken from them when it is not at hand. Throws Occluded.
+  /// The triangulated lumen of when updateLumen was last called; after a resumption, of the present agents.
+  /// Throws Occluded.
   const TriSurface& lumenSurface();
   /// Takes the lumen's shape from the present agents.
   void updateLumen();
@@ -79,9 +81,10 @@ struct World {
   }
 
  private:
-  void extractLumen();
+  void takeLumen();
 
-  std::optional<TriSurface> surface_;
+  std::optional<LumenField> field_;
+  std::optional<TriSurface> surface_;  ///< of field_, made when it is asked for
 };
 
 /// The settings of a scene's biology.

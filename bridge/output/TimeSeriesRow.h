@@ -14,7 +14,7 @@ struct TimeSeriesRow {
   std::uint64_t divisions = 0;                  ///< since deployment
   std::optional<double> neointimaThickness;     ///< mean over the stented section [m]
   std::optional<double> neointimaAreaFraction;  ///< mean over the stented section
-  std::optional<double> minLumenArea;           ///< smallest cross-section [m^2]
+  std::optional<double> minLumenArea;           ///< smallest cross-section of the stented stretch [m^2]
   std::optional<double> coverage;               ///< share of exposed synthetic cells that carry endothelium
   std::optional<double> wssMean;                ///< area-weighted over the wall [Pa]
   std::optional<double> wssLowAreaFraction;     ///< share of the wall's area below the arrest threshold

@@ -78,9 +78,12 @@ double RadialMap::lumenArea(int plane) const {
   return std::numbers::pi * squares / angles_;
 }
 
-double RadialMap::minimalArea() const {
-  double least = lumenArea(0);
-  for (int k = 1; k < planes(); ++k) least = std::min(least, lumenArea(k));
+double RadialMap::minimalArea(double from, double to) const {
+  double least = HUGE_VAL;
+  for (int k = 0; k < planes(); ++k) {
+    if (z_[k] >= from && z_[k] <= to) least = std::min(least, lumenArea(k));
+  }
+  if (least == HUGE_VAL) throw std::invalid_argument("no plane of the radial map lies in the section");
   return least;
 }
 

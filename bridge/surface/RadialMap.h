@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "LumenField.h"
@@ -22,9 +23,11 @@ class RadialMap {
   double radius(int plane, int angle) const {
     return radius_[static_cast<std::size_t>(plane) * angles_ + angle];
   }
-  double meanRadius() const;            ///< over planes (trapezoidal) and angles [m]
-  double lumenArea(int plane) const;    ///< of a cross-section as seen from the axis [m^2]
-  double minimalArea() const;           ///< [m^2]
+  double meanRadius() const;          ///< over planes (trapezoidal) and angles [m]
+  double lumenArea(int plane) const;  ///< of a cross-section as seen from the axis [m^2]
+  /// Smallest cross-section of the planes between two z [m^2]. Throws std::invalid_argument if none lies
+  /// there.
+  double minimalArea(double from = -HUGE_VAL, double to = HUGE_VAL) const;
   double planeWeight(int plane) const;  ///< length of vessel a plane stands for [m]
   bool comparable(const RadialMap& other) const;
 

@@ -3,22 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "Deployment.h"
+#include "SmallDeployment.h"
 #include "WallPacking.h"
 
 namespace restenosis {
 namespace {
 
-struct Setting {
-  Setting() {
-    vessel.length = 0.3e-3;
-    vessel.lumenDiameter = 0.4e-3;
-    mechanics.tolerance = 0.1;
-    stent.deploymentDepth = 60e-6;
-  }
-  VesselParameters vessel;
-  StentParameters stent;
-  MechanicsParameters mechanics;
-};
+using Setting = testing::SmallDeployment;
 
 /// Deploys and expects a wall that is whole, or a failure that names a setting.
 void deploy(const Setting& s) {

@@ -28,6 +28,18 @@ TEST(RadialMap, MeasuresACylinder) {
   EXPECT_NEAR(map.minimalArea(), std::numbers::pi * 16, 0.1);
 }
 
+TEST(RadialMap, SmallestCrossSectionIsThatOfTheSectionAskedFor) {
+  // Narrowest at z = 0, and again, less so, at z = 8.
+  const auto radius = [](double z) {
+    return z < 4 ? 3 + z / 8 : 4 - std::max(0.0, 0.5 - std::abs(z - 8) / 4);
+  };
+  const RadialMap map(LumenField::fromFunction(
+      [&](const Vec3& p) { return radius(p.z()) - std::hypot(p.x(), p.y()); }, 10, 6, 0.25));
+  EXPECT_NEAR(map.minimalArea(), std::numbers::pi * 9, 0.1);
+  EXPECT_NEAR(map.minimalArea(5, 10), std::numbers::pi * 3.5 * 3.5, 0.1);
+  EXPECT_THROW(map.minimalArea(11, 12), std::invalid_argument);
+}
+
 TEST(RadialMap, RaysThatStartInTissueHaveNoLength) {
   // A bar across the lumen, attached to the wall.
   const RadialMap map(LumenField::fromFunction(

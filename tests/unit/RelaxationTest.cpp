@@ -14,20 +14,21 @@ namespace {
 constexpr double r0 = 15e-6;
 
 /// A block of agents n across on a disturbed face-centred lattice with overlaps of about 5 % of the diameter,
-/// its lowest and highest layer fixed, bonded where near.
+/// or `layers` high, its lowest and highest layer fixed, bonded where near.
 struct Block {
   AgentStore agents;
   BondTable bonds;
 
-  explicit Block(int n, bool bonded = true) {
+  explicit Block(int n, bool bonded = true) : Block(n, bonded, n) {}
+  Block(int n, bool bonded, int layers) {
     const double spacing = 1.9 * r0 / std::sqrt(2.0);
-    for (int z = 0; z < n; ++z) {
+    for (int z = 0; z < layers; ++z) {
       for (int y = 0; y < n; ++y) {
         for (int x = (y + z) % 2; x < n; x += 2) {
           RandomStream random(1, agents.nextId, 0, RandomPurpose::packing);
           const Vec3 noise = 0.1 * r0 * random.uniform() * random.direction();
           const Index i = agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r0);
-          agents.set(i, AgentFlag::fixed, z == 0 || z == n - 1);
+          agents.set(i, AgentFlag::fixed, z == 0 || z == layers - 1);
         }
       }
     }
@@ -142,6 +143,19 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
   const auto everyoneOnce = static_cast<std::uint64_t>(std::ranges::count(block.agents.flags, 0));
   ASSERT_GT(report.iterations, 5);
   EXPECT_LT(report.agentEvaluations - everyoneOnce, 0.2 * report.iterations * everyoneOnce);
+}
+
+TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
+  // All of a long column is disturbed a little, one agent much.
+  MechanicsParameters p;
+  Block column(10, true, 200);
+  column.agents.radius[column.agents.size() / 2] *= 4;
+  const auto report = Relaxation(p, r0).relax(column.agents, column.bonds, {});
+  EXPECT_LE(largestResidual(p, column), p.tolerance);
+  const auto everyone = static_cast<std::uint64_t>(std::ranges::count(column.agents.flags, 0));
+  ASSERT_GT(report.iterations, 50);
+  EXPECT_LT(report.agentEvaluations, 0.8 * report.iterations * everyone)
+      << report.iterations << " iterations";
 }
 
 TEST(Relaxation, NamesTheSettingsWhenItFails) {

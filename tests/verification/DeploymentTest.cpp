@@ -2,6 +2,7 @@
 
 #include "Cylindrical.h"
 #include "Deployment.h"
+#include "SmallDeployment.h"
 #include "StateArchive.h"
 #include "WallBonds.h"
 #include "WallPacking.h"
@@ -9,19 +10,7 @@
 namespace restenosis {
 namespace {
 
-/// One ring in a narrow, short vessel, at a looser tolerance: quick, and all of what a deployment does.
-struct Setting {
-  Setting() {
-    vessel.length = 0.3e-3;
-    vessel.lumenDiameter = 0.4e-3;
-    stent.deploymentDepth = 60e-6;
-    stent.deploymentSteps = 20;
-    mechanics.tolerance = 0.1;
-  }
-  VesselParameters vessel;
-  StentParameters stent;
-  MechanicsParameters mechanics;
-};
+using Setting = testing::SmallDeployment;
 
 Wall packedWall() {
   static const Wall wall = packWall(Setting().vessel, Setting().mechanics, 1);

@@ -12,6 +12,9 @@ namespace {
 // they add is not missed for long.
 constexpr int iterationsBetweenWaking = 5;
 
+// Seldom, so that those who have come to rest for a moment are not taken to be at rest.
+constexpr int iterationsBetweenRetiring = 25;
+
 // Agents that move are brought this far below the tolerance that wakes others: those just below it would be
 // woken again by the next small change.
 constexpr double settledShare = 0.9;
@@ -64,6 +67,7 @@ RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
     relaxing.advance(*minimiser);
     ++report.iterations;
+    if (report.iterations % iterationsBetweenRetiring == 0) relaxing.retireQuiet(settledShare * tolerance);
     const bool quiet = relaxing.awakeResidual() <= settledShare * tolerance;
     const bool due = report.iterations % iterationsBetweenWaking == 0;
     const bool woken = (quiet || due) && relaxing.wakeDisturbed();

@@ -18,8 +18,8 @@ struct RelaxationReport {
   int iterations = 0;
   double residual = 0;                 ///< largest force left on a free agent over C r0^2
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one per agent and iteration
-  std::uint64_t agentsBeyondLaw =
-      0;  ///< moved agents with an overlap past the contact law's validity: continued
+  /// Free agents with an overlap past the contact law's validity: its continuation acts on them.
+  std::uint64_t agentsBeyondLaw = 0;
   bool converged = false;
 };
 

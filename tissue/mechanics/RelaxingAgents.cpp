@@ -23,12 +23,25 @@ constexpr std::size_t localCount = 500;
 // force unchanged, never wakes: who wakes must not depend on the list.
 constexpr double wakingShare = 1.1;
 
+// Where no more than this share of the awake agents is restless, the others may sleep ...
+constexpr double fewRestless = 0.01;
+// ... if they have come to rest to this share of what counts as settled ...
+constexpr double restingShare = 0.5;
+// ... and are farther than this many contacts from the restless. What is left is a soft mode of a few agents,
+// which needs its surroundings to give way.
+constexpr int shellsKept = 8;
+
 struct Any {
   bool found = false;
   Index agent = 0;
   void join(const Any& other) {
     if (!found && other.found) *this = other;
   }
+};
+
+struct Count {
+  std::uint64_t value = 0;
+  void join(const Count& other) { value += other.value; }
 };
 
 struct Largest {
@@ -179,9 +192,9 @@ bool RelaxingAgents::wakeDisturbed() {
   std::ranges::sort(beside);
   evaluate(beside);
   std::erase_if(beside, [&](Index j) { return residual_[j] <= wakingShare * tolerance_; });
-  const bool any = !beside.empty();
-  wakeAround(std::move(beside));
-  return any;
+  wake(beside);
+  wakeAround(beside);
+  return !beside.empty();
 }
 
 bool RelaxingAgents::wakeAnyone() {
@@ -189,19 +202,20 @@ bool RelaxingAgents::wakeAnyone() {
   std::vector<Index> restless;
   std::ranges::copy_if(free_, std::back_inserter(restless),
                        [&](Index i) { return !isAwake_[i] && residual_[i] > tolerance_; });
-  wakeAround(std::move(restless));
+  wake(restless);
+  wakeAround(restless);
   return awakeResidual() > tolerance_;
 }
 
-void RelaxingAgents::wakeAround(std::vector<Index> restless) {
-  wake(restless);
-  std::vector<Index> sleepers;
+template <class Wanted>
+std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents, Wanted&& wanted) {
+  std::vector<Index> partners;
   const auto consider = [&](Index j) {
-    if (isAwake_[j] || marked_[j] || !isFree(j)) return;
+    if (marked_[j] || !wanted(j)) return;
     marked_[j] = 1;
-    sleepers.push_back(j);
+    partners.push_back(j);
   };
-  for (const Index i : restless) {
+  for (const Index i : agents) {
     // Those that touch, not all listed: who wakes must not depend on the list.
     for (const Index j : neighbours_.of(i)) {
       const double radii = agents_.radius[i] + agents_.radius[j];
@@ -209,6 +223,11 @@ void RelaxingAgents::wakeAround(std::vector<Index> restless) {
     }
     for (const Bond& bond : bonds_.of(i)) consider(bond.partner);
   }
+  return partners;
+}
+
+void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
+  std::vector<Index> sleepers = markPartners(restless, [this](Index j) { return !isAwake_[j] && isFree(j); });
   for (const Index j : sleepers) marked_[j] = 0;
   std::ranges::sort(sleepers);
   wake(sleepers);
@@ -221,6 +240,24 @@ void RelaxingAgents::wakeAround(std::vector<Index> restless) {
     std::ranges::sort(sleepers);
   }
   evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
+}
+
+void RelaxingAgents::retireQuiet(double settled) {
+  std::vector<Index> kept;
+  std::ranges::copy_if(awake_, std::back_inserter(kept), [&](Index i) { return residual_[i] > settled; });
+  if (static_cast<double>(kept.size()) > fewRestless * static_cast<double>(awake_.size())) return;
+  for (const Index i : kept) marked_[i] = 1;
+  std::vector<Index> shell = kept;
+  for (int n = 0; n < shellsKept; ++n) {
+    shell = markPartners(shell, [this](Index j) { return isAwake_[j] != 0; });
+    kept.insert(kept.end(), shell.begin(), shell.end());
+  }
+  for (const Index i : awake_) {
+    isAwake_[i] = marked_[i] || residual_[i] > restingShare * settled;
+    if (!isAwake_[i]) velocity_[i].setZero();
+  }
+  for (const Index i : kept) marked_[i] = 0;
+  std::erase_if(awake_, [&](Index i) { return !isAwake_[i]; });
 }
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
@@ -244,8 +281,12 @@ Index RelaxingAgents::worstAgent() const {
 }
 
 std::uint64_t RelaxingAgents::agentsBeyondLaw() const {
-  return static_cast<std::uint64_t>(std::ranges::count_if(
-      awake_, [&](Index i) { return field_.overlapOverValid(agents_, neighbours_, i) > 1; }));
+  return reduceInChunks<Count>(free_.size(),
+                               [&](std::size_t k, Count& part) {
+                                 if (field_.overlapOverValid(agents_, neighbours_, free_[k]) > 1)
+                                   ++part.value;
+                               })
+      .value;
 }
 
 }  // namespace restenosis

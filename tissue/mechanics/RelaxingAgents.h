@@ -33,6 +33,10 @@ class RelaxingAgents {
   /// tolerance; tells whether there were any.
   bool wakeDisturbed();
 
+  /// Where few of the awake agents have a residual above `settled` [N], puts those to sleep that have come to
+  /// rest away from them.
+  void retireQuiet(double settled);
+
   bool allAsleep() const { return awake_.empty(); }
   /// Computes all forces in double precision and wakes the agents above the tolerance; tells whether there
   /// were any.
@@ -44,7 +48,7 @@ class RelaxingAgents {
   /// Agent with the largest residual of all.
   Index worstAgent() const;
   std::uint64_t evaluations() const { return evaluations_; }
-  /// Pairs that overlap by more than the contact law is valid for.
+  /// Free agents with an overlap that the contact law is not valid for.
   std::uint64_t agentsBeyondLaw() const;
 
  private:
@@ -57,9 +61,13 @@ class RelaxingAgents {
   void evaluateExactly();
   template <class Spheres>
   void evaluate(const Spheres& spheres, std::span<const Index> subset);
-  /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
-  /// for its surroundings; all, if these are many.
-  void wakeAround(std::vector<Index> restless);
+  /// Marks the agents that touch or are bonded to one of `agents`, are not marked yet and `wanted`; returns
+  /// them.
+  template <class Wanted>
+  std::vector<Index> markPartners(const std::vector<Index>& agents, Wanted&& wanted);
+  /// Wakes those that the restless touch or are bonded to, so that a disturbance does not have to wait for
+  /// its surroundings; all, if many are awake then.
+  void wakeAround(const std::vector<Index>& restless);
   void wake(const std::vector<Index>& sleepers);
 
   AgentStore& agents_;

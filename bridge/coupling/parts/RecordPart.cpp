@@ -76,9 +76,9 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
 
 void RecordPart::measureLumen(TimeSeriesRow& row) const {
   const LumenState& lumen = world_.lumen;
-  row.minLumenArea = lumen.present.minimalArea();
-  if (!world_.scene.hasTissue()) return;
   const auto [from, to] = world_.measuredSection();
+  row.minLumenArea = lumen.present.minimalArea(from, to);
+  if (!world_.scene.hasTissue()) return;
   const Neointima neointima = measureNeointima(lumen.afterDeployment, lumen.present, from, to);
   row.neointimaThickness = neointima.meanThickness;
   row.neointimaAreaFraction = neointima.meanAreaFraction;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "MechanicsParameters.h"
+#include "StentParameters.h"
+#include "VesselParameters.h"
+
+namespace restenosis::testing {
+
+/// One ring in a narrow, short vessel, at a looser tolerance: quick, and all of what a deployment does.
+struct SmallDeployment {
+  SmallDeployment() {
+    vessel.length = 0.3e-3;
+    vessel.lumenDiameter = 0.4e-3;
+    stent.deploymentDepth = 60e-6;
+    stent.deploymentSteps = 20;
+    mechanics.tolerance = 0.1;
+  }
+  VesselParameters vessel;
+  StentParameters stent;
+  MechanicsParameters mechanics;
+};
+
+}  // namespace restenosis::testing
