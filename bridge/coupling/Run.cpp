@@ -105,21 +105,20 @@ void Run::deploy() {
   if (scene_.stent) {
     auto measurement = world_.timer.measure("deploy");
     Deployment deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_);
-    RelaxationReport last;
     while (!deployment.done()) {
-      last = deployment.step();
+      deployment.step();
       deploymentSteps_ = deployment.stepsDone();
       world_.progress.stage("deployment", deploymentSteps_, deployment.steps());
       stopIfAsked();
       checkpointWhenDue(false);
     }
     world_.stent = deployment.stent();
-    if (last.agentsBeyondLaw > 0)
+    if (const Index pressed = deployment.agentsBeyondLaw(); pressed > 0)
       world_.remarks.push_back(
           fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "
                       "its continuation "
                       "acts on them",
-                      last.agentsBeyondLaw, world_.wall.agents.size()));
+                      pressed, world_.wall.agents.size()));
   }
   startGrowth();
 }

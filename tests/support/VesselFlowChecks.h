@@ -16,7 +16,8 @@ inline void expectPoiseuille(const FlowSolution& s, const PoiseuilleLimits& limi
   const auto error = stressError(s, vesselStress(), limits.endMargin, vesselLength - limits.endMargin);
   EXPECT_LT(std::abs(error.mean), limits.stressMean);
   EXPECT_LT(error.l2, limits.stressL2);
-  EXPECT_NEAR(s.pressureDrop / (vesselConditions().pressureGradient * vesselLength), 1.0, limits.pressureDrop);
+  EXPECT_NEAR(s.pressureDrop / (vesselConditions().pressureGradient * vesselLength), 1.0,
+              limits.pressureDrop);
   EXPECT_LT(s.massImbalance, limits.massImbalance);
   EXPECT_TRUE(s.remarks.empty());
   double area = 0.0;

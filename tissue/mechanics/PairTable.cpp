@@ -25,48 +25,90 @@ void forEachPartner(const NeighbourList& neighbours, const BondTable& bonds, Ind
   for (; bond != lastBond; ++bond) f(bond->partner, bond->restLength);
 }
 
+std::uint32_t partnerCount(const NeighbourList& neighbours, const BondTable& bonds, Index i) {
+  std::uint32_t count = 0;
+  forEachPartner(neighbours, bonds, i, [&](Index, float) { ++count; });
+  return count;
+}
+
+/// Blocks that group g needs.
+std::uint32_t longestRow(const NeighbourList& neighbours, const BondTable& bonds, std::size_t g) {
+  std::uint32_t longest = 0;
+  const auto end = std::min<std::size_t>(neighbours.size(), (g + 1) * laneCount);
+  for (std::size_t i = g * laneCount; i < end; ++i)
+    longest = std::max(longest, partnerCount(neighbours, bonds, static_cast<Index>(i)));
+  return longest;
+}
+
+// A row that outgrew its room gets this much more than it needs.
+constexpr std::uint32_t spareBlocks = 4;
+// When more than this share of the blocks is abandoned, all are laid out anew.
+constexpr double mostAbandoned = 0.25;
+
 }  // namespace
 
 void PairTable::build(const NeighbourList& neighbours, const BondTable& bonds,
                       std::span<const std::uint8_t> flags, bool daughters) {
   size_ = neighbours.size();
   const std::size_t groups = (size_ + std::size_t{laneCount} - 1) / laneCount;
-  start_.assign(groups + 1, 0);
+  rows_.resize(groups);
   marked_.assign(groups, 0);
-  forEachInChunks(groups, [&](std::size_t g) {
-    std::uint32_t longest = 0;
-    for (std::size_t i = g * laneCount; i < std::min<std::size_t>(size_, (g + 1) * laneCount); ++i) {
-      std::uint32_t count = 0;
-      forEachPartner(neighbours, bonds, static_cast<Index>(i), [&](Index, float) { ++count; });
-      longest = std::max(longest, count);
-    }
-    start_[g + 1] = longest;
-  });
-  for (std::size_t g = 0; g < groups; ++g) start_[g + 1] += start_[g];
-  blocks_.resize(start_[groups]);
+  abandoned_ = 0;
+  forEachInChunks(groups, [&](std::size_t g) { rows_[g].count = longestRow(neighbours, bonds, g); });
+  std::uint32_t end = 0;
+  for (Row& row : rows_) {
+    row.start = end;
+    row.room = row.count;
+    end += row.count;
+  }
+  blocks_.resize(end);
+  forEachInChunks(groups, [&](std::size_t g) { fill(g, neighbours, bonds, flags, daughters); });
+}
 
-  forEachInChunks(groups, [&](std::size_t g) {
-    bool marked = false;
-    for (int lane = 0; lane < laneCount; ++lane) {
-      const auto i = static_cast<Index>(g * laneCount + static_cast<std::size_t>(lane));
-      std::uint32_t k = start_[g];
-      if (i < size_) {
-        const bool daughter = daughters && (flags[i] & AgentFlag::daughter);
-        forEachPartner(neighbours, bonds, i, [&](Index j, float rest) {
-          const bool mark = daughter || (daughters && (flags[j] & AgentFlag::daughter));
-          blocks_[k].partner[lane] = j;
-          blocks_[k].rest[lane] = mark ? -rest : rest;
-          marked |= mark;
-          ++k;
-        });
-      }
-      for (; k < start_[g + 1]; ++k) {
-        blocks_[k].partner[lane] = size_;
-        blocks_[k].rest[lane] = std::numeric_limits<float>::infinity();
-      }
+void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
+                       std::span<const std::uint8_t> flags, bool daughters, std::span<const Index> changed) {
+  std::vector<std::size_t> groups;
+  for (const Index i : changed) groups.push_back(i / laneCount);
+  std::ranges::sort(groups);
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  for (const std::size_t g : groups) {
+    Row& row = rows_[g];
+    row.count = longestRow(neighbours, bonds, g);
+    if (row.count <= row.room) continue;
+    abandoned_ += row.room;
+    row.start = static_cast<std::uint32_t>(blocks_.size());
+    row.room = row.count + spareBlocks;
+    blocks_.resize(blocks_.size() + row.room);
+  }
+  if (static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(blocks_.size()))
+    return build(neighbours, bonds, flags, daughters);
+  forEachInChunks(groups.size(),
+                  [&](std::size_t k) { fill(groups[k], neighbours, bonds, flags, daughters); });
+}
+
+void PairTable::fill(std::size_t g, const NeighbourList& neighbours, const BondTable& bonds,
+                     std::span<const std::uint8_t> flags, bool daughters) {
+  const std::uint32_t start = rows_[g].start, end = start + rows_[g].count;
+  bool marked = false;
+  for (int lane = 0; lane < laneCount; ++lane) {
+    const auto i = static_cast<Index>(g * laneCount + static_cast<std::size_t>(lane));
+    std::uint32_t k = start;
+    if (i < size_) {
+      const bool daughter = daughters && (flags[i] & AgentFlag::daughter);
+      forEachPartner(neighbours, bonds, i, [&](Index j, float rest) {
+        const bool mark = daughter || (daughters && (flags[j] & AgentFlag::daughter));
+        blocks_[k].partner[lane] = j;
+        blocks_[k].rest[lane] = mark ? -rest : rest;
+        marked |= mark;
+        ++k;
+      });
     }
-    marked_[g] = marked;
-  });
+    for (; k < end; ++k) {
+      blocks_[k].partner[lane] = size_;
+      blocks_[k].rest[lane] = std::numeric_limits<float>::infinity();
+    }
+  }
+  marked_[g] = marked;
 }
 
 }  // namespace restenosis

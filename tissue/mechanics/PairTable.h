@@ -30,20 +30,31 @@ class PairTable {
   /// same number of agents.
   void build(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
              bool daughters);
+  /// The same where, since the last build or update, only the neighbours of the agents `changed` did.
+  void update(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
+              bool daughters, std::span<const Index> changed);
 
   Index size() const { return size_; }
   /// The blocks of group g: agents [laneCount g, laneCount (g + 1)).
   std::span<const Block> group(std::size_t g) const {
-    return {blocks_.data() + start_[g], blocks_.data() + start_[g + 1]};
+    return {blocks_.data() + rows_[g].start, rows_[g].count};
   }
   /// True if some pair of group g is marked for a daughter.
   bool marked(std::size_t g) const { return marked_[g] != 0; }
-  std::size_t bytes() const { return blocks_.size() * sizeof(Block) + start_.size() * sizeof(start_[0]); }
+  std::size_t bytes() const { return blocks_.size() * sizeof(Block) + rows_.size() * sizeof(rows_[0]); }
 
  private:
+  /// Where a group's blocks are, and how many there is room for.
+  struct Row {
+    std::uint32_t start, count, room;
+  };
+  void fill(std::size_t g, const NeighbourList& neighbours, const BondTable& bonds,
+            std::span<const std::uint8_t> flags, bool daughters);
+
   Index size_ = 0;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> start_;
+  std::vector<Row> rows_;
+  std::size_t abandoned_ = 0;  ///< blocks that no row uses any more
   std::vector<std::uint8_t> marked_;
 };
 

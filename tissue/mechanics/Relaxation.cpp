@@ -54,6 +54,14 @@ std::optional<FixedScale> Relaxation::scaleFor(const AgentStore& agents, const B
   return scale;
 }
 
+Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
+  Index count = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    count += agents.kind[i] != AgentKind::strut && field_.overlapOverValid(agents, neighbours_, i) > 1;
+  }
+  return count;
+}
+
 RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
                                    std::span<const Constraint* const> constraints) {
   const double tolerance = parameters_.tolerance * characteristicForce_;
@@ -76,7 +84,6 @@ RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
   if (!report.converged) relaxing.wakeAnyone();  // so that the residual reported is that of all agents
   report.residual = relaxing.residual() / characteristicForce_;
   report.agentEvaluations = relaxing.evaluations();
-  report.agentsBeyondLaw = relaxing.agentsBeyondLaw();
   if (!report.converged && !parameters_.stopAtMaximum) {
     throw RelaxationFailed(fmt::format(
         "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations = {}: the "

@@ -18,8 +18,6 @@ struct RelaxationReport {
   int iterations = 0;
   double residual = 0;                 ///< largest force left on a free agent over C r0^2
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one per agent and iteration
-  /// Free agents with an overlap past the contact law's validity: its continuation acts on them.
-  std::uint64_t agentsBeyondLaw = 0;
   bool converged = false;
 };
 
@@ -45,6 +43,10 @@ class Relaxation {
   /// AgentStore::pressure of the agents it evaluated.
   RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
                          std::span<const Constraint* const> constraints);
+
+  /// Agents of the last relaxation, but for struts, with an overlap past the contact law's validity: its
+  /// continuation acts on them.
+  Index agentsBeyondLaw(const AgentStore& agents) const;
 
   double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
 

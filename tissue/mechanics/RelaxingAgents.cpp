@@ -39,11 +39,6 @@ struct Any {
   }
 };
 
-struct Count {
-  std::uint64_t value = 0;
-  void join(const Count& other) { value += other.value; }
-};
-
 struct Largest {
   double value = 0;
   void join(const Largest& other) { value = std::max(value, other.value); }
@@ -101,8 +96,13 @@ RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
 }
 
 void RelaxingAgents::updatePairs() {
-  neighbours_.update(agents_, range_);
-  pairs_.build(neighbours_, bonds_, agents_.flags, range_.daughterFactor > range_.factor);
+  const NeighbourList::Change change = neighbours_.update(agents_, range_);
+  const bool daughters = range_.daughterFactor > range_.factor;
+  if (change.all || pairs_.size() != neighbours_.size()) {
+    pairs_.build(neighbours_, bonds_, agents_.flags, daughters);
+  } else {
+    pairs_.update(neighbours_, bonds_, agents_.flags, daughters, change.agents);
+  }
 }
 
 bool RelaxingAgents::isFree(Index i) const {
@@ -278,15 +278,6 @@ double RelaxingAgents::residual() const { return residual_.empty() ? 0 : residua
 
 Index RelaxingAgents::worstAgent() const {
   return static_cast<Index>(std::ranges::max_element(residual_) - residual_.begin());
-}
-
-std::uint64_t RelaxingAgents::agentsBeyondLaw() const {
-  return reduceInChunks<Count>(free_.size(),
-                               [&](std::size_t k, Count& part) {
-                                 if (field_.overlapOverValid(agents_, neighbours_, free_[k]) > 1)
-                                   ++part.value;
-                               })
-      .value;
 }
 
 }  // namespace restenosis

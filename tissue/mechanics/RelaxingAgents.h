@@ -48,8 +48,6 @@ class RelaxingAgents {
   /// Agent with the largest residual of all.
   Index worstAgent() const;
   std::uint64_t evaluations() const { return evaluations_; }
-  /// Free agents with an overlap that the contact law is not valid for.
-  std::uint64_t agentsBeyondLaw() const;
 
  private:
   bool isFree(Index i) const;

@@ -16,51 +16,56 @@ constexpr std::int64_t smallestSide = 4;
 
 double cellOf(double coordinate, double cellSize) { return std::floor(coordinate / cellSize); }
 
-void requireFinite(const AgentStore& agents) {
+std::vector<Vec3> finitePositions(const AgentStore& agents) {
+  std::vector<Vec3> points(agents.size());
   for (Index i = 0; i < agents.size(); ++i) {
-    if (std::isfinite(agents.x[i]) && std::isfinite(agents.y[i]) && std::isfinite(agents.z[i])) continue;
+    points[i] = agents.position(i);
+    if (points[i].allFinite()) continue;
     throw std::invalid_argument(fmt::format("agent {} has no finite position: ({}, {}, {}) m", agents.id[i],
                                             agents.x[i], agents.y[i], agents.z[i]));
   }
+  return points;
 }
 
 }  // namespace
 
-CellGrid::CellGrid(const AgentStore& agents, double cellSize) : cellSize_(cellSize) {
+CellGrid::CellGrid(const AgentStore& agents, double cellSize) : CellGrid(finitePositions(agents), cellSize) {}
+
+CellGrid::CellGrid(std::span<const Vec3> points, double cellSize) : cellSize_(cellSize) {
   if (!(cellSize > 0) || !std::isfinite(cellSize)) {
     throw std::invalid_argument(
         fmt::format("the cells of a neighbour grid need a size above 0, got {} m", cellSize));
   }
-  requireFinite(agents);
-
-  const std::array<const std::vector<double>*, 3> coordinates{&agents.x, &agents.y, &agents.z};
+  const auto count = static_cast<Index>(points.size());
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  if (count > 0) low = high = points[0];
+  for (const Vec3& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
   std::array<double, 3> sides{};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(coordinates[axis]->begin(), coordinates[axis]->end());
     // One empty layer, so that the two ends of the grid are not neighbours.
-    sides[axis] = agents.size() == 0 ? 0 : cellOf(*high, cellSize) - cellOf(*low, cellSize) + 2;
+    sides[axis] = count == 0 ? 0 : cellOf(high[axis], cellSize) - cellOf(low[axis], cellSize) + 2;
     sides[axis] = std::max(sides[axis], static_cast<double>(smallestSide));
   }
-  const double mostCells = fewestCells + cellsPerAgent * agents.size();
+  const double mostCells = fewestCells + cellsPerAgent * count;
   while (sides[0] * sides[1] * sides[2] > mostCells) {
     auto& longest = *std::max_element(sides.begin(), sides.end());
     longest = std::max(std::ceil(longest / 2), static_cast<double>(smallestSide));
   }
   for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<std::int64_t>(sides[axis]);
 
-  std::vector<std::uint32_t> cell(agents.size());
+  std::vector<std::uint32_t> cell(count);
   start_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]) + 1, 0);
-  for (Index i = 0; i < agents.size(); ++i) {
-    const auto x = wrapped(cellOf(agents.x[i], cellSize), 0);
-    const auto y = wrapped(cellOf(agents.y[i], cellSize), 1);
-    const auto z = wrapped(cellOf(agents.z[i], cellSize), 2);
+  for (Index i = 0; i < count; ++i) {
+    const auto x = wrapped(cellOf(points[i].x(), cellSize), 0);
+    const auto y = wrapped(cellOf(points[i].y(), cellSize), 1);
+    const auto z = wrapped(cellOf(points[i].z(), cellSize), 2);
     cell[i] = static_cast<std::uint32_t>((z * size_[1] + y) * size_[0] + x);
     ++start_[cell[i] + 1];
   }
   for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-  order_.resize(agents.size());
+  order_.resize(count);
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (Index i = 0; i < agents.size(); ++i) order_[next[cell[i]]++] = i;
+  for (Index i = 0; i < count; ++i) order_[next[cell[i]]++] = i;
 }
 
 std::int64_t CellGrid::wrapped(double cellCoordinate, int axis) const {

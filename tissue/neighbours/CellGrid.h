@@ -19,6 +19,8 @@ class CellGrid {
  public:
   /// `cellSize` > 0 [m]. Throws std::invalid_argument naming the agent when a position is not finite.
   CellGrid(const AgentStore& agents, double cellSize);
+  /// Sorts points instead, all finite; "agent" stands for a place in `points` then.
+  CellGrid(std::span<const Vec3> points, double cellSize);
 
   double cellSize() const { return cellSize_; }
   std::size_t cellCount() const { return start_.size() - 1; }

@@ -1,6 +1,12 @@
 #include "NeighbourList.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "CellGrid.h"
 #include "NeighbourQuery.h"
@@ -12,26 +18,37 @@ namespace {
 // up with those that must be once it has used up this share of its allowance, ...
 constexpr double usedBeforeLookUp = 0.6;
 // ... and all are when more than this share would have to be.
-constexpr double mostLookedUp = 0.25;
+constexpr double mostLookedUp = 0.1;
+
+// A row that outgrew its room gets this much more than it needs.
+constexpr std::uint32_t spareEntries = 8;
+// When more than this share of the entries is abandoned, the list is built anew.
+constexpr double mostAbandoned = 0.25;
 
 double widestFactor(const NeighbourRange& range) { return std::max(range.factor, range.daughterFactor); }
 
 /// Finds the agents in range of a place, reading them in the order of the grid's cells.
 class Search {
  public:
-  /// `anchors`: the agents' positions, radii and whether they are daughters, of which no position differs by
-  /// more than `drift` [m] from that in `agents`.
+  /// Among the agents `names` with these `anchors`: their positions, radii and whether they are daughters.
+  /// `largestRadius` of all agents [m].
   template <class Anchors>
-  Search(const AgentStore& agents, const Anchors& anchors, const NeighbourRange& range, double drift)
+  Search(const Anchors& anchors, std::span<const Index> names, const NeighbourRange& range,
+         double largestRadius)
       : range_(range),
-        drift_(drift),
-        largestRadius_(largest(anchors)),
-        grid_(agents, cellSize(2 * widestFactor(range) * largestRadius_ + range.skin)) {
-    candidates_.reserve(anchors.size());
-    for (const Index j : grid_.order()) {
-      const auto& a = anchors[j];
-      candidates_.push_back({a.position.x(), a.position.y(), a.position.z(), a.radius, j, a.daughter});
+        largestRadius_(largestRadius),
+        grid_(positions(anchors, names), widestReach(range, largestRadius)) {
+    candidates_.reserve(names.size());
+    for (const Index k : grid_.order()) {
+      const auto& a = anchors[names[k]];
+      candidates_.push_back({a.position.x(), a.position.y(), a.position.z(), a.radius, names[k], a.daughter});
     }
+  }
+
+  /// Distance beyond which no two agents are in range [m].
+  static double widestReach(const NeighbourRange& range, double largestRadius) {
+    const double widest = 2 * widestFactor(range) * largestRadius + range.skin;
+    return widest > 0 ? widest : 1.0;
   }
 
   /// Appends the agents in range of agent i, which stands exactly at its anchor, in ascending order.
@@ -42,7 +59,7 @@ class Search {
     const bool daughter = anchor.daughter;
     const std::size_t first = row.size();
     std::size_t end = first;
-    const double reachOfAll = widestFactor(range_) * (radius + largestRadius_) + range_.skin + drift_;
+    const double reachOfAll = widestFactor(range_) * (radius + largestRadius_) + range_.skin;
     grid_.forEachCandidateRange(centre, reachOfAll, [&](std::uint32_t from, std::uint32_t to) {
       // Each is written, and kept by counting it: no branch to be guessed wrong.
       row.resize(end + (to - from));
@@ -68,19 +85,64 @@ class Search {
     bool daughter;
   };
   template <class Anchors>
-  static double largest(const Anchors& anchors) {
-    double radius = 0;
-    for (const auto& anchor : anchors) radius = std::max(radius, anchor.radius);
-    return radius;
+  static std::vector<Vec3> positions(const Anchors& anchors, std::span<const Index> names) {
+    std::vector<Vec3> points;
+    points.reserve(names.size());
+    for (const Index j : names) points.push_back(anchors[j].position);
+    return points;
   }
-  static double cellSize(double widest) { return widest > 0 ? widest : 1.0; }
 
   NeighbourRange range_;
-  double drift_;
   double largestRadius_;
   CellGrid grid_;
   std::vector<Candidate> candidates_;
 };
+
+/// Largest radius of some anchors [m].
+template <class Anchors>
+double largestRadius(const Anchors& anchors) {
+  double radius = 0;
+  for (const auto& anchor : anchors) radius = std::max(radius, anchor.radius);
+  return radius;
+}
+
+/// Tells who may be near some places: never a wrong no, seldom a wrong yes.
+class Vicinity {
+ public:
+  explicit Vicinity(double reach) : reach_(reach), marked_(std::size_t{1} << bits, 0) {}
+
+  void add(const Vec3& place) {
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) marked_[key(place, x, y, z)] = 1;
+  }
+  bool has(const Vec3& place) const { return marked_[key(place, 0, 0, 0)] != 0; }
+
+ private:
+  static constexpr int bits = 18;
+  /// Cells share marks, which costs a wrong yes now and then (Teschner et al. 2003).
+  std::size_t key(const Vec3& place, int dx, int dy, int dz) const {
+    const std::uint64_t mixed =
+        cell(place.x(), dx) * 73856093U ^ cell(place.y(), dy) * 19349663U ^ cell(place.z(), dz) * 83492791U;
+    return mixed & ((std::size_t{1} << bits) - 1);
+  }
+  std::uint64_t cell(double coordinate, int offset) const {
+    constexpr double farthest = 1e15;  // so that the number of the cell is exact
+    return static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(std::clamp(std::floor(coordinate / reach_), -farthest, farthest)) + offset);
+  }
+
+  double reach_;
+  std::vector<std::uint8_t> marked_;
+};
+
+void requireFinite(const AgentStore& agents, std::span<const Index> names) {
+  for (const Index i : names) {
+    if (agents.position(i).allFinite()) continue;
+    throw std::invalid_argument(fmt::format("agent {} has no finite position: ({}, {}, {}) m", agents.id[i],
+                                            agents.x[i], agents.y[i], agents.z[i]));
+  }
+}
 
 }  // namespace
 
@@ -93,49 +155,64 @@ NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
           .daughter = agents.has(i, AgentFlag::daughter)};
 }
 
-/// Makes the rows of all agents: appendRow(i, row) appends those of agent i.
-template <class F>
-void NeighbourList::assemble(F&& appendRow) {
+void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
+  range_ = range;
+  rows_.clear();  // should a position be found wrong below, there is no list
+  std::vector<Index> everyone(agents.size());
+  std::iota(everyone.begin(), everyone.end(), Index{0});
+  requireFinite(agents, everyone);
+  anchors_.resize(agents.size());
+  for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
+  const Search search(anchors_, everyone, range, largestRadius(anchors_));
+
   constexpr Index chunk = 512;
   const Index count = size();
   const auto chunks = static_cast<std::ptrdiff_t>((count + chunk - 1) / chunk);
   std::vector<std::vector<Index>> parts(chunks);
-  std::vector<std::size_t> start(count + std::size_t{1}, 0);
+  std::vector<Row> rows(count);
 #pragma omp parallel for schedule(dynamic) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const auto begin = static_cast<Index>(c) * chunk;
     for (Index i = begin; i < std::min(count, begin + chunk); ++i) {
       const std::size_t first = parts[c].size();
-      appendRow(i, parts[c]);
-      start[i + 1] = parts[c].size() - first;
+      search.append(i, anchors_[i], parts[c]);
+      rows[i].count = rows[i].room = static_cast<std::uint32_t>(parts[c].size() - first);
     }
   }
-  for (Index i = 0; i < count; ++i) start[i + 1] += start[i];
-  start_ = std::move(start);
-  neighbours_.resize(start_[count]);
+  std::size_t end = 0;
+  for (Row& row : rows) {
+    row.start = end;
+    end += row.count;
+  }
+  neighbours_.resize(end);
 #pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-    std::copy(parts[c].begin(), parts[c].end(),
-              neighbours_.begin() + static_cast<std::ptrdiff_t>(start_[static_cast<Index>(c) * chunk]));
+    const Row& first = rows[static_cast<Index>(c) * chunk];
+    std::ranges::copy(parts[c], neighbours_.begin() + static_cast<std::ptrdiff_t>(first.start));
   }
+  rows_ = std::move(rows);
+  abandoned_ = 0;
 }
 
-void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
-  range_ = range;
-  start_.clear();  // should a position be found wrong below, there is no list
-  anchors_.resize(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
-  const Search search(agents, anchors_, range, 0);
-  assemble([&](Index i, std::vector<Index>& row) { search.append(i, anchors_[i], row); });
+NeighbourList::Change NeighbourList::update(const AgentStore& agents, const NeighbourRange& range) {
+  const bool known = !rows_.empty() && range == range_ && sameAgents(agents);
+  if (known) {
+    std::vector<std::uint8_t> stale(agents.size(), 0);
+    const std::vector<Index> names = findStale(agents, stale);
+    const bool few =
+        static_cast<double>(names.size()) <= mostLookedUp * agents.size() &&
+        static_cast<double>(abandoned_) <= mostAbandoned * static_cast<double>(neighbours_.size());
+    if (names.empty()) return {};
+    if (few) return {.all = false, .agents = lookUp(agents, names, stale)};
+  }
+  build(agents, range);
+  return {.all = true, .agents = {}};
 }
 
-void NeighbourList::update(const AgentStore& agents, const NeighbourRange& range) {
-  if (start_.empty() || !(range == range_) || !sameAgents(agents)) return build(agents, range);
-  std::vector<std::uint8_t> stale(agents.size(), 0);
-  const std::vector<Index> names = findStale(agents, stale);
-  if (names.empty()) return;
-  if (static_cast<double>(names.size()) > mostLookedUp * agents.size()) return build(agents, range);
-  lookUp(agents, names, stale);
+std::size_t NeighbourList::pairCount() const {
+  std::size_t entries = 0;
+  for (const Row& row : rows_) entries += row.count;
+  return entries / 2;
 }
 
 bool NeighbourList::sameAgents(const AgentStore& agents) const {
@@ -167,50 +244,72 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vecto
   return used;
 }
 
-void NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names,
-                           const std::vector<std::uint8_t>& stale) {
-  const std::vector<std::size_t> startBefore = std::move(start_);
-  start_.clear();  // as in `build`
+std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names,
+                                         const std::vector<std::uint8_t>& stale) {
+  requireFinite(agents, names);
   anchors_.resize(agents.size());
+  rows_.resize(agents.size());
   for (const Index i : names) anchors_[i] = anchorOf(agents, i, range_);
-  const Search search(agents, anchors_, range_, range_.skin / 2);
 
-  std::vector<std::vector<Index>> rows(names.size());
+  const double largest = largestRadius(anchors_);
+  Vicinity vicinity(Search::widestReach(range_, largest));
+  for (const Index i : names) vicinity.add(anchors_[i].position);
+  std::vector<Index> near;
+  for (Index i = 0; i < size(); ++i) {
+    if (vicinity.has(anchors_[i].position)) near.push_back(i);
+  }
+  const Search search(anchors_, near, range_, largest);
+  std::vector<std::vector<Index>> found(names.size());
   const auto count = static_cast<std::ptrdiff_t>(names.size());
 #pragma omp parallel for schedule(dynamic, 16) if (count > 256)
-  for (std::ptrdiff_t k = 0; k < count; ++k) search.append(names[k], anchors_[names[k]], rows[k]);
+  for (std::ptrdiff_t k = 0; k < count; ++k) search.append(names[k], anchors_[names[k]], found[k]);
 
-  // The same pairs seen from the agents that were not looked up.
-  std::vector<std::uint32_t> start(agents.size() + std::size_t{1}, 0), place(agents.size(), 0);
-  for (const auto& row : rows) {
-    for (const Index j : row) start[j + 1] += !stale[j];
-  }
-  for (Index i = 0; i < agents.size(); ++i) start[i + 1] += start[i];
-  std::vector<Index> found(start.back());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  // The same pairs seen from the agents that were not looked up: whom they lose, and whom they have now.
+  std::vector<std::pair<Index, Index>> others;
+  std::vector<Index> beside;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    place[names[k]] = static_cast<std::uint32_t>(k);
-    for (const Index j : rows[k]) {
-      if (!stale[j]) found[next[j]++] = names[k];
+    for (const Index j : of(names[k])) {
+      if (!stale[j]) beside.push_back(j);
+    }
+    for (const Index j : found[k]) {
+      if (!stale[j]) others.emplace_back(j, names[k]);
     }
   }
+  std::ranges::sort(others);
+  for (const auto& pair : others) beside.push_back(pair.first);
+  std::ranges::sort(beside);
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
 
-  assemble([&](Index i, std::vector<Index>& row) {
-    if (stale[i]) {
-      const auto& own = rows[place[i]];
-      row.insert(row.end(), own.begin(), own.end());
-      return;
-    }
-    auto f = found.begin() + start[i];
-    const auto end = found.begin() + start[i + 1];
-    for (std::size_t n = startBefore[i]; n < startBefore[i + 1]; ++n) {
-      const Index j = neighbours_[n];
+  std::vector<Index> row;
+  auto other = others.begin();
+  for (const Index i : beside) {
+    row.clear();
+    for (const Index j : of(i)) {
       if (stale[j]) continue;
-      for (; f != end && *f < j; ++f) row.push_back(*f);
+      for (; other != others.end() && other->first == i && other->second < j; ++other)
+        row.push_back(other->second);
       row.push_back(j);
     }
-    row.insert(row.end(), f, end);
-  });
+    for (; other != others.end() && other->first == i; ++other) row.push_back(other->second);
+    setRow(i, row);
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) setRow(names[k], found[k]);
+
+  std::vector<Index> changed;
+  std::ranges::merge(beside, names, std::back_inserter(changed));
+  return changed;
+}
+
+void NeighbourList::setRow(Index i, const std::vector<Index>& row) {
+  Row& place = rows_[i];
+  place.count = static_cast<std::uint32_t>(row.size());
+  if (place.count > place.room) {
+    abandoned_ += place.room;
+    place.start = neighbours_.size();
+    place.room = place.count + spareEntries;
+    neighbours_.resize(neighbours_.size() + place.room);
+  }
+  std::ranges::copy(row, neighbours_.begin() + static_cast<std::ptrdiff_t>(place.start));
 }
 
 bool NeighbourList::needsRebuild(const AgentStore& agents) const {

@@ -21,6 +21,8 @@ struct NeighbourRange {
 /// neighbours has one order whichever list within the skin it is taken from. Each pair stands at both of its
 /// agents.
 ///
+/// An update costs what has changed: the rows of the agents looked up and of their neighbours.
+///
 /// The list is that of the agents as they stood when they were last looked up, each at its own time: their
 /// anchors. It holds every pair in range as long as no agent's move plus growth (times the range's factor)
 /// exceeds half the skin.
@@ -30,16 +32,19 @@ class NeighbourList {
   /// finite.
   void build(const AgentStore& agents, const NeighbourRange& range);
 
+  /// Which agents' neighbours an update changed.
+  struct Change {
+    bool all = false;
+    std::vector<Index> agents;  ///< if not all, in ascending order
+  };
   /// Makes the list hold every pair in range again at the least cost: looks up only the agents that were
   /// appended, went or grew far, or became daughters, and builds anew where those are many or agents were
   /// removed or reordered. Throws as build does.
-  void update(const AgentStore& agents, const NeighbourRange& range);
+  Change update(const AgentStore& agents, const NeighbourRange& range);
 
-  std::span<const Index> of(Index i) const {
-    return {neighbours_.data() + start_[i], neighbours_.data() + start_[i + 1]};
-  }
+  std::span<const Index> of(Index i) const { return {neighbours_.data() + rows_[i].start, rows_[i].count}; }
   Index size() const { return static_cast<Index>(anchors_.size()); }
-  std::size_t pairCount() const { return neighbours_.size() / 2; }
+  std::size_t pairCount() const;
 
   /// True if agent i has gone so far that, with another that has gone as far, a pair may be missing. Radii
   /// are those of the last build or update.
@@ -59,19 +64,25 @@ class NeighbourList {
     AgentId id;
     bool daughter;
   };
+  /// Where an agent's neighbours are in neighbours_, and how many there is room for.
+  struct Row {
+    std::size_t start = 0;
+    std::uint32_t count = 0, room = 0;
+  };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
   bool sameAgents(const AgentStore& agents) const;
   /// Sets the allowances to present radii and flags in `stale` whom to look up; returns them.
   std::vector<Index> findStale(const AgentStore& agents, std::vector<std::uint8_t>& stale);
-  void lookUp(const AgentStore& agents, const std::vector<Index>& names,
-              const std::vector<std::uint8_t>& stale);
-  template <class F>
-  void assemble(F&& appendRow);
+  /// Looks up the stale agents; returns whose rows changed.
+  std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names,
+                            const std::vector<std::uint8_t>& stale);
+  void setRow(Index i, const std::vector<Index>& row);
 
   NeighbourRange range_;
   std::vector<Anchor> anchors_;
-  std::vector<std::size_t> start_;
+  std::vector<Row> rows_;
   std::vector<Index> neighbours_;
+  std::size_t abandoned_ = 0;  ///< entries of neighbours_ that no row uses any more
 };
 
 }  // namespace restenosis
