@@ -17,8 +17,8 @@ constexpr double day = 86400.0;
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
   double bytesPerAgent = 600;  ///< state, bonds, neighbour lists, output buffers
-  double packSecondsPerAgent = 3e-4;
-  double deploySecondsPerStep = 3e-5;  ///< per agent
+  double packSecondsPerAgent = 4e-5;
+  double deploySecondsPerStep = 3e-6;  ///< per agent
   double growSecondsPerStep = 3e-6;    ///< per agent
 };
 
