@@ -23,7 +23,7 @@ std::string digest(Wall wall) {
   return archive.digest();
 }
 
-class Deployed : public testing::TestWithParam<const char*> {};
+class Deployed : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Deployed, KeepsTheWallTogether) {
   Setting s;
@@ -61,7 +61,7 @@ TEST_P(Deployed, KeepsTheWallTogether) {
   EXPECT_GT(statistics.largestIelStrain, 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Eel, Deployed, testing::Values("free", "fixed"),
+INSTANTIATE_TEST_SUITE_P(Eel, Deployed, ::testing::Values("free", "fixed"),
                          [](const auto& outer) { return std::string(outer.param); });
 
 TEST(DeploymentTest, EelFixedDoesNotMove) {
