@@ -83,7 +83,7 @@ def main():
                 print(f"| {regime} | {LAWS[law]} | {steps} | {median(z, radius, 0, HALF_STRUT):.1f} um "
                       f"| {median(z, radius, *BESIDE):.1f} um | {seconds(folder):.1f} s |", flush=True)
         axis.axhline(1010, color=style.GREY, linewidth=0.8)
-        axis.legend(loc="lower center", fontsize=8)
+        axis.legend(loc="upper left", bbox_to_anchor=(0, 0.88), fontsize=7, handlelength=1.6)
     axes[0].set_ylabel("radius of the inner elastic lamina [µm]")
     axes[0].text(0.005, 1011, "the strut's outer face", color=style.GREY, fontsize=8, va="bottom")
     style.save(figure, ROOT / "docs/pictures/figure6_3.png")
