@@ -192,7 +192,6 @@ bool RelaxingAgents::wakeDisturbed() {
   std::ranges::sort(beside);
   evaluate(beside);
   std::erase_if(beside, [&](Index j) { return residual_[j] <= wakingShare * tolerance_; });
-  wake(beside);
   wakeAround(beside);
   return !beside.empty();
 }
@@ -202,7 +201,6 @@ bool RelaxingAgents::wakeAnyone() {
   std::vector<Index> restless;
   std::ranges::copy_if(free_, std::back_inserter(restless),
                        [&](Index i) { return !isAwake_[i] && residual_[i] > tolerance_; });
-  wake(restless);
   wakeAround(restless);
   return awakeResidual() > tolerance_;
 }
@@ -227,6 +225,7 @@ std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents
 }
 
 void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
+  wake(restless);
   std::vector<Index> sleepers = markPartners(restless, [this](Index j) { return !isAwake_[j] && isFree(j); });
   for (const Index j : sleepers) marked_[j] = 0;
   std::ranges::sort(sleepers);

@@ -63,8 +63,8 @@ class RelaxingAgents {
   /// them.
   template <class Wanted>
   std::vector<Index> markPartners(const std::vector<Index>& agents, Wanted&& wanted);
-  /// Wakes those that the restless touch or are bonded to, so that a disturbance does not have to wait for
-  /// its surroundings; all, if many are awake then.
+  /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
+  /// for its surroundings; all, if many are awake then.
   void wakeAround(const std::vector<Index>& restless);
   void wake(const std::vector<Index>& sleepers);
 
