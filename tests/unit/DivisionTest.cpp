@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "Division.h"
@@ -66,16 +68,40 @@ TEST(Division, LeavesTheBondsWithTheMother) {
   EXPECT_TRUE(bonds.of(2).empty());
 }
 
-TEST(Division, NamesDaughtersInTheOrderOfTheMothers) {
+TEST(Division, AppendsDaughtersInTheOrderOfTheMothersNames) {
   AgentStore agents = grownCells(3);
   BondTable bonds;
   bonds.resize(3);
   agents.reorder(std::vector<Index>{2, 0, 1});
   Division(1, 0.4).divide(agents, bonds, std::array<Index, 2>{1, 0});
-  EXPECT_EQ(agents.id[3], 3u);
+  EXPECT_EQ(agents.id[3], daughterId(0, 1));
   EXPECT_NEAR((agents.position(3) - agents.position(1)).norm(), 0.8 * r, 1e-15);
-  EXPECT_EQ(agents.id[4], 4u);
+  EXPECT_EQ(agents.id[4], daughterId(2, 1));
   EXPECT_NEAR((agents.position(4) - agents.position(0)).norm(), 0.8 * r, 1e-15);
+}
+
+TEST(Division, NamesADaughterWhateverElseIsBorn) {
+  AgentStore alone = grownCells(2), among = grownCells(2);
+  BondTable bonds, others;
+  bonds.resize(2), others.resize(2);
+  const Division division(1, 0.4);
+  division.divide(alone, bonds, std::array<Index, 1>{1});
+  division.divide(among, others, std::array<Index, 1>{0});
+  division.divide(among, others, std::array<Index, 1>{1});
+  EXPECT_EQ(alone.id[2], among.id[3]);
+  EXPECT_EQ(alone.position(2), among.position(3));
+}
+
+TEST(Division, GivesEveryCellOfAPedigreeItsOwnName) {
+  std::vector<AgentId> cells;
+  for (AgentId founder = 0; founder < 100; ++founder) cells.push_back(founder);
+  for (std::uint32_t generation = 1; generation <= 10; ++generation) {
+    const std::size_t mothers = cells.size();
+    for (std::size_t i = 0; i < mothers; ++i) cells.push_back(daughterId(cells[i], generation));
+  }
+  EXPECT_EQ(std::set<AgentId>(cells.begin(), cells.end()).size(), 102400u);
+  EXPECT_LT(std::ranges::max(cells), AgentId{1} << 63) << "fits a signed 64-bit integer";
+  EXPECT_GE(cells[100], AgentId{1} << 62) << "out of reach of counted names";
 }
 
 }  // namespace

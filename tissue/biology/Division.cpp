@@ -4,6 +4,16 @@
 
 namespace restenosis {
 
+AgentId daughterId(AgentId mother, std::uint32_t generation) {
+  // The finaliser of SplitMix64 (Steele et al. 2014).
+  std::uint64_t mixed = mother + 0x9e3779b97f4a7c15u * (std::uint64_t{generation} + 1);
+  mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9u;
+  mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebu;
+  mixed ^= mixed >> 31;
+  constexpr std::uint64_t bornBit = std::uint64_t{1} << 62, fits = bornBit - 1;
+  return (mixed & fits) | bornBit;
+}
+
 void Division::divide(AgentStore& agents, BondTable& bonds, std::span<const Index> mothers) const {
   for (const Index mother : mothers) {
     RandomStream random(seed_, agents.id[mother], agents.generation[mother],
@@ -19,6 +29,7 @@ void Division::divide(AgentStore& agents, BondTable& bonds, std::span<const Inde
     ++agents.generation[mother];
 
     const Index born = agents.append(AgentKind::smc, centre - offset, radius);
+    agents.id[born] = daughterId(agents.id[mother], agents.generation[mother]);
     agents.set(born, synthetic, agents.has(mother, synthetic));
     agents.set(born, covered, agents.has(mother, covered));
     agents.set(born, daughter, true);

@@ -8,6 +8,13 @@
 
 namespace restenosis {
 
+/// Name of the daughter that a mother gives birth to, from the mother's name and her generation after the
+/// division. A cell's name, and with it every random number it draws, thus follows from its pedigree and not
+/// from how many cells were born before it elsewhere: two runs that differ in one cell's fate share all other
+/// draws. 62 bits of a hash, with a bit set that founders' counted ids never reach; among a million births
+/// two share a name with a probability of 1e-7.
+AgentId daughterId(AgentId mother, std::uint32_t generation);
+
 /// Division of a cell into mother and daughter, each with the radius the mother was born with (model 5).
 ///
 /// Their centres lie at +-`displacement` times that radius from the mother's, in opposite directions drawn
@@ -20,8 +27,8 @@ class Division {
  public:
   Division(std::uint64_t seed, double displacement) : seed_(seed), displacement_(displacement) {}
 
-  /// Divides the cells `mothers`, which are in ascending order of their ids: daughters are appended and get
-  /// their ids in that order, so that neither threads nor the order of agents can change who is who.
+  /// Divides the cells `mothers`, which are in ascending order of their ids: daughters are appended in that
+  /// order, so that neither threads nor the order of agents can change it.
   void divide(AgentStore& agents, BondTable& bonds, std::span<const Index> mothers) const;
 
  private:
