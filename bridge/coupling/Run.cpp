@@ -66,6 +66,15 @@ void Run::resume() {
   }
   ReadingArchive state(checkpoint_.load(fingerprint_));
   archive(state);
+  if (nextStep_ > stepCount(scene_.scene)) {
+    constexpr double day = 86400;
+    throw CheckpointRefused(
+        CheckpointRefused::Reason::beyond,
+        fmt::format("{} is of day {:.4g}, past scene.duration = {:.4g} d: ask for a longer duration, or for "
+                    "another folder (-o)",
+                    checkpoint_.file().string(), nextStep_ * scene_.scene.step / day,
+                    scene_.scene.duration / day));
+  }
   if (stage_ == Stage::growing) record_->begin();
 }
 

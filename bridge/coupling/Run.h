@@ -36,7 +36,7 @@ class Run {
   Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, const RunOptions& options);
 
   /// Reads the state from the checkpoint instead of starting afresh; without one, the run starts afresh.
-  /// Throws CheckpointRefused for one that is damaged or of another scene.
+  /// Throws CheckpointRefused for one that is damaged, of another scene or of a time past the scene's end.
   void resume();
   /// Goes on to the end and writes the final results. Throws RelaxationFailed, FlowFailed, WriteFailed,
   /// Interrupted; what has been recorded so far stays.

@@ -9,7 +9,7 @@ namespace restenosis {
 
 /// A checkpoint that cannot be gone on from; `reason` tells why without parsing the message.
 struct CheckpointRefused : std::runtime_error {
-  enum class Reason { missing, notACheckpoint, otherFormat, truncated, corrupt, foreign };
+  enum class Reason { missing, notACheckpoint, otherFormat, truncated, corrupt, foreign, beyond };
   CheckpointRefused(Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
   Reason reason;
 };
