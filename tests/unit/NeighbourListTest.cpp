@@ -56,20 +56,18 @@ TEST(NeighbourList, IsTheSameForAnyNumberOfThreads) {
   for (Index i = 0; i < agents.size(); ++i) ASSERT_TRUE(std::ranges::equal(one.of(i), three.of(i)));
 }
 
-TEST(NeighbourList, AsksForARebuildOnceAPairCouldBeMissing) {
+TEST(NeighbourList, TellsWhenAnAgentHasGoneSoFarThatAPairCouldBeMissing) {
   AgentStore agents = mixed(50, 2);
   NeighbourList list;
-  EXPECT_TRUE(list.needsRebuild(agents));
   list.build(agents, {.skin = 2e-6});
-  EXPECT_FALSE(list.needsRebuild(agents));
-  agents.x[20] += 0.99e-6;
-  EXPECT_FALSE(list.needsRebuild(agents));
-  agents.x[20] += 0.02e-6;
-  EXPECT_TRUE(list.needsRebuild(agents));
-  list.build(agents, {.skin = 2e-6});
-  EXPECT_FALSE(list.needsRebuild(agents));
-  agents.append(AgentKind::smc, {0, 0, 0}, 1e-6);
-  EXPECT_TRUE(list.needsRebuild(agents));
+  const Vec3 start = agents.position(20);
+  EXPECT_FALSE(list.movedTooFar(20, start + Vec3(0.99e-6, 0, 0)));
+  EXPECT_TRUE(list.movedTooFar(20, start + Vec3(1.01e-6, 0, 0)));
+  EXPECT_TRUE(list.movedTooFar(20, start + Vec3(NAN, 0, 0)));
+  agents.x[20] += 1.01e-6;
+  list.update(agents, {.skin = 2e-6});
+  EXPECT_FALSE(list.movedTooFar(20, agents.position(20)));
+  EXPECT_TRUE(list.movedTooFar(20, start));
 }
 
 TEST(NeighbourList, KeepsEveryPairInRangeWhileAgentsMoveGrowAndCome) {

@@ -18,16 +18,18 @@ double cellOf(double coordinate, double cellSize) { return std::floor(coordinate
 
 std::vector<Vec3> finitePositions(const AgentStore& agents) {
   std::vector<Vec3> points(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) {
-    points[i] = agents.position(i);
-    if (points[i].allFinite()) continue;
-    throw std::invalid_argument(fmt::format("agent {} has no finite position: ({}, {}, {}) m", agents.id[i],
-                                            agents.x[i], agents.y[i], agents.z[i]));
-  }
+  for (Index i = 0; i < agents.size(); ++i) points[i] = finitePosition(agents, i);
   return points;
 }
 
 }  // namespace
+
+Vec3 finitePosition(const AgentStore& agents, Index i) {
+  const Vec3 position = agents.position(i);
+  if (position.allFinite()) return position;
+  throw std::invalid_argument(fmt::format("agent {} has no finite position: ({}, {}, {}) m", agents.id[i],
+                                          position.x(), position.y(), position.z()));
+}
 
 CellGrid::CellGrid(const AgentStore& agents, double cellSize) : CellGrid(finitePositions(agents), cellSize) {}
 

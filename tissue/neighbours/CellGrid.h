@@ -10,6 +10,9 @@
 
 namespace restenosis {
 
+/// Position of agent i [m]. Throws std::invalid_argument naming the agent when it is not finite.
+Vec3 finitePosition(const AgentStore& agents, Index i);
+
 /// Sorts agents into cubic cells of one size, each cell's agents in ascending order.
 ///
 /// Cell coordinates are taken modulo the size of the grid, which never has more than a few cells an agent: an

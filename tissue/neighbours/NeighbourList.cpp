@@ -1,11 +1,8 @@
 #include "NeighbourList.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "CellGrid.h"
@@ -15,8 +12,8 @@ namespace restenosis {
 namespace {
 
 // Speed only, as are all numbers here: results do not depend on when agents are looked up. An agent is looked
-// up with those that must be once it has used up this share of its allowance, ...
-constexpr double usedBeforeLookUp = 0.6;
+// up with those that must be once it has less than this share of its allowance left, ...
+constexpr double leftBeforeLookUp = 0.6;
 // ... and all are when more than this share would have to be.
 constexpr double mostLookedUp = 0.1;
 
@@ -136,19 +133,11 @@ class Vicinity {
   std::vector<std::uint8_t> marked_;
 };
 
-void requireFinite(const AgentStore& agents, std::span<const Index> names) {
-  for (const Index i : names) {
-    if (agents.position(i).allFinite()) continue;
-    throw std::invalid_argument(fmt::format("agent {} has no finite position: ({}, {}, {}) m", agents.id[i],
-                                            agents.x[i], agents.y[i], agents.z[i]));
-  }
-}
-
 }  // namespace
 
 NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
                                               const NeighbourRange& range) {
-  return {.position = agents.position(i),
+  return {.position = finitePosition(agents, i),
           .allowance = range.skin / 2,
           .radius = agents.radius[i],
           .id = agents.id[i],
@@ -160,7 +149,6 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   rows_.clear();  // should a position be found wrong below, there is no list
   std::vector<Index> everyone(agents.size());
   std::iota(everyone.begin(), everyone.end(), Index{0});
-  requireFinite(agents, everyone);
   anchors_.resize(agents.size());
   for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
   const Search search(anchors_, everyone, range, largestRadius(anchors_));
@@ -230,7 +218,7 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vecto
     Anchor& anchor = anchors_[i];
     const double growth = std::max(0.0, agents.radius[i] - anchor.radius);
     anchor.allowance = std::max(0.0, range_.skin / 2 - widestFactor(range_) * growth);
-    const double room = anchor.allowance - usedBeforeLookUp * range_.skin / 2;
+    const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
     const double moved2 = (agents.position(i) - anchor.position).squaredNorm();
     const bool changed = anchor.daughter != agents.has(i, AgentFlag::daughter);
     if (!changed && room >= 0 && moved2 <= room * room) continue;
@@ -246,7 +234,7 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vecto
 
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names,
                                          const std::vector<std::uint8_t>& stale) {
-  requireFinite(agents, names);
+  for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
   for (const Index i : names) anchors_[i] = anchorOf(agents, i, range_);
@@ -310,14 +298,6 @@ void NeighbourList::setRow(Index i, const std::vector<Index>& row) {
     neighbours_.resize(neighbours_.size() + place.room);
   }
   std::ranges::copy(row, neighbours_.begin() + static_cast<std::ptrdiff_t>(place.start));
-}
-
-bool NeighbourList::needsRebuild(const AgentStore& agents) const {
-  if (agents.size() != size()) return true;
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (movedTooFar(i, agents.position(i))) return true;
-  }
-  return false;
 }
 
 }  // namespace restenosis

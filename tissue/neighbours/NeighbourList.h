@@ -52,8 +52,6 @@ class NeighbourList {
     const Anchor& anchor = anchors_[i];
     return !((position - anchor.position).squaredNorm() <= anchor.allowance * anchor.allowance);
   }
-  /// True if any agent has moved too far, or agents came or went.
-  bool needsRebuild(const AgentStore& agents) const;
 
  private:
   /// An agent as it was when it was last looked up.
