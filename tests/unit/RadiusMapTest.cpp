@@ -37,6 +37,26 @@ TEST(RadiusMap, FollowsASmoothSurfaceAcrossTheSeam) {
   }
 }
 
+TEST(RadiusMap, BoundsItselfFromBelowAndClosely) {
+  const auto bulged = [](double angle, double z) {
+    return 1e-3 + 100e-6 * std::exp(-10 * (angle - 3) * (angle - 3)) + 0.1 * z;
+  };
+  const RadiusMap map(lamina(bulged), AgentKind::eel, 30e-6);
+  double gap = 0;
+  int points = 0;
+  for (double angle = -std::numbers::pi; angle <= std::numbers::pi; angle += 0.001) {
+    for (const double z : {-1e-4, 0.0, 1.01e-4, 2.5e-4, 4.99e-4, 5e-4, 1e-3}) {
+      const Vec3 point = toCartesian({0.7e-3, angle, z});
+      const double bound = map.lowestNear(point.x(), point.y(), point.z());
+      ASSERT_LE(bound, map.at(point)) << angle << ' ' << z;
+      gap += map.at(point) - bound;
+      ++points;
+    }
+  }
+  EXPECT_LT(gap / points, 10e-6) << "a bound too low is of no use";
+  EXPECT_TRUE(std::isinf(RadiusMap(AgentStore(), AgentKind::eel, 30e-6).lowestNear(1, 0, 0)));
+}
+
 TEST(RadiusMap, ContinuesIntoGapsAndIsInfiniteWithoutAgents) {
   AgentStore agents;
   agents.append(AgentKind::eel, {1e-3, 0, 0}, 15e-6);

@@ -8,12 +8,9 @@
 namespace restenosis {
 namespace {
 
-// Agents beside moving ones are looked at this often: seldom enough to cost little, often enough that what
-// they add is not missed for long.
-constexpr int iterationsBetweenWaking = 5;
-
-// Seldom, so that those who have come to rest for a moment are not taken to be at rest.
-constexpr int iterationsBetweenRetiring = 25;
+// Agents at rest are sent to sleep, and those beside moving ones looked at, this often: seldom enough to cost
+// little, often enough that what they add is not missed for long.
+constexpr int iterationsBetweenReviews = 5;
 
 // Agents that move are brought this far below the tolerance that wakes others: those just below it would be
 // woken again by the next small change.
@@ -64,7 +61,7 @@ Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
 
 RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
                                    std::span<const Constraint* const> constraints) {
-  const double tolerance = parameters_.tolerance * characteristicForce_;
+  const double tolerance = parameters_.tolerance * characteristicForce_, settled = settledShare * tolerance;
   RelaxingAgents relaxing(agents, bonds, constraints, field_,
                           softestContact * parameters_.contactModulus * referenceRadius_, tolerance,
                           neighbours_, skinOverRadius * referenceRadius_, scaleFor(agents, bonds));
@@ -75,10 +72,11 @@ RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
     relaxing.advance(*minimiser);
     ++report.iterations;
-    if (report.iterations % iterationsBetweenRetiring == 0) relaxing.retireQuiet(settledShare * tolerance);
-    const bool quiet = relaxing.awakeResidual() <= settledShare * tolerance;
-    const bool due = report.iterations % iterationsBetweenWaking == 0;
+    const bool due = report.iterations % iterationsBetweenReviews == 0;
+    const bool quiet = relaxing.awakeResidual() <= settled;
+    // Before any retire: whoever moved is still awake, so no sleeper beside them is missed.
     const bool woken = (quiet || due) && relaxing.wakeDisturbed();
+    if (due) relaxing.retireQuiet(settled);
     report.converged = quiet && !woken && !relaxing.wakeAnyone();
   }
   if (!report.converged) relaxing.wakeAnyone();  // so that the residual reported is that of all agents

@@ -14,7 +14,7 @@ namespace {
 
 // A disturbance of more agents than this share is no local one: it reaches everybody, and sleepers would only
 // hold the others back, being woken layer by layer.
-constexpr double localShare = 0.1;
+constexpr double localShare = 0.5;
 // A disturbance of fewer is local however small the tissue.
 constexpr std::size_t localCount = 500;
 
@@ -24,12 +24,11 @@ constexpr std::size_t localCount = 500;
 constexpr double wakingShare = 1.1;
 
 // Where no more than this share of the awake agents is restless, the others may sleep ...
-constexpr double fewRestless = 0.01;
+constexpr double fewRestless = 0.3;
 // ... if they have come to rest to this share of what counts as settled ...
 constexpr double restingShare = 0.5;
-// ... and are farther than this many contacts from the restless. What is left is a soft mode of a few agents,
-// which needs its surroundings to give way.
-constexpr int shellsKept = 8;
+// ... and are farther than this many contacts from the restless, who need surroundings that give way.
+constexpr int shellsKept = 4;
 
 struct Any {
   bool found = false;
@@ -77,6 +76,7 @@ RelaxingAgents::RelaxingAgents(AgentStore& agents, const BondTable& bonds,
       residual_(agents.size(), 0.0),
       velocity_(agents.size(), Vec3::Zero()),
       isAwake_(agents.size(), 0),
+      unsure_(agents.size(), 1),
       marked_(agents.size(), 0) {
   requireSound(agents, bonds);
   for (Index i = 0; i < agents.size(); ++i) {
@@ -100,8 +100,12 @@ void RelaxingAgents::updatePairs() {
   const bool daughters = range_.daughterFactor > range_.factor;
   if (change.all || pairs_.size() != neighbours_.size()) {
     pairs_.build(neighbours_, bonds_, agents_.flags, daughters);
+    std::ranges::fill(unsure_, 1);
+    relisted_ = free_;
   } else {
     pairs_.update(neighbours_, bonds_, agents_.flags, daughters, change.agents);
+    for (const Index i : change.agents) unsure_[i] = 1;
+    relisted_.insert(relisted_.end(), change.agents.begin(), change.agents.end());
   }
 }
 
@@ -132,9 +136,22 @@ void RelaxingAgents::evaluate(std::span<const Index> subset) {
 }
 
 void RelaxingAgents::evaluateExactly() {
-  if (!scale_) return evaluate(free_);
-  const std::vector<Sphere> spheres = packSpheres(agents_);
-  evaluate(ExactSpheres(spheres), free_);
+  for (const Index i : moved_) {
+    unsure_[i] = 1;
+    for (const Index j : neighbours_.of(i)) unsure_[j] = 1;
+    for (const Bond& bond : bonds_.of(i)) unsure_[bond.partner] = 1;
+  }
+  std::vector<Index> due;
+  std::ranges::copy_if(free_, std::back_inserter(due), [&](Index i) { return unsure_[i] != 0; });
+  if (scale_) {
+    const std::vector<Sphere> spheres = packSpheres(agents_);
+    evaluate(ExactSpheres(spheres), due);
+  } else {
+    evaluate(due);
+  }
+  std::ranges::fill(unsure_, 0);
+  relisted_.clear();
+  moved_ = awake_;
 }
 
 template <class Spheres>
@@ -177,7 +194,10 @@ void RelaxingAgents::advance(Minimiser& minimiser) {
 }
 
 bool RelaxingAgents::wakeDisturbed() {
-  if (awake_.size() == free_.size()) return false;
+  if (awake_.size() == free_.size()) {
+    relisted_.clear();
+    return false;
+  }
   std::vector<Index> beside;
   const auto consider = [&](Index j) {
     if (isAwake_[j] || marked_[j] || !isFree(j)) return;
@@ -188,7 +208,13 @@ bool RelaxingAgents::wakeDisturbed() {
     for (const Index j : neighbours_.of(i)) consider(j);
     for (const Bond& bond : bonds_.of(i)) consider(bond.partner);
   }
-  for (const Index j : beside) marked_[j] = 0;
+  // Those whom an awake agent has left since they were looked at, too.
+  for (const Index i : relisted_) consider(i);
+  relisted_.clear();
+  for (const Index j : beside) {
+    marked_[j] = 0;
+    unsure_[j] = 1;
+  }
   std::ranges::sort(beside);
   evaluate(beside);
   std::erase_if(beside, [&](Index j) { return residual_[j] <= wakingShare * tolerance_; });
@@ -261,6 +287,7 @@ void RelaxingAgents::retireQuiet(double settled) {
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
   for (const Index i : sleepers) isAwake_[i] = 1;
+  moved_.insert(moved_.end(), sleepers.begin(), sleepers.end());
   const auto middle = static_cast<std::ptrdiff_t>(awake_.size());
   awake_.insert(awake_.end(), sleepers.begin(), sleepers.end());
   std::inplace_merge(awake_.begin(), awake_.begin() + middle, awake_.end());

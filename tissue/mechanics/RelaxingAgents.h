@@ -38,8 +38,8 @@ class RelaxingAgents {
   void retireQuiet(double settled);
 
   bool allAsleep() const { return awake_.empty(); }
-  /// Computes all forces in double precision and wakes the agents above the tolerance; tells whether there
-  /// were any.
+  /// Computes in double precision all forces that may have changed since it did so last, and wakes the agents
+  /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
   /// Largest residual of the awake agents [N].
   double awakeResidual() const;
@@ -56,6 +56,7 @@ class RelaxingAgents {
   void updatePairs();
   /// Forces on the agents of `subset`, in mixed precision where it is used.
   void evaluate(std::span<const Index> subset);
+  /// In double precision, all forces that may have changed since this was done last.
   void evaluateExactly();
   template <class Spheres>
   void evaluate(const Spheres& spheres, std::span<const Index> subset);
@@ -87,6 +88,10 @@ class RelaxingAgents {
   std::vector<Vec3> velocity_;
   std::vector<std::uint8_t> isAwake_;
   std::vector<Index> free_, awake_;
+  std::vector<Index> moved_;  ///< who has been awake since the last exact evaluation, some repeatedly
+  std::vector<std::uint8_t>
+      unsure_;                   ///< whose force may have changed since, beside those of and next to moved_
+  std::vector<Index> relisted_;  ///< whose neighbours have changed since sleepers were looked at
   std::vector<std::uint8_t> marked_;  ///< scratch of wakeDisturbed
   std::vector<Vec3> step_;
   std::uint64_t evaluations_ = 0;

@@ -5,25 +5,27 @@
 namespace restenosis {
 
 OuterConfinement::OuterConfinement(const AgentStore& agents, double cellRadius, double margin)
-    : map_(agents, AgentKind::eel, 2 * cellRadius), nearest_(map_.lowest()), margin_(margin) {}
+    : map_(agents, AgentKind::eel, 2 * cellRadius), margin_(margin) {}
 
-bool OuterConfinement::deepInside(double x, double y, double radius) const {
+bool OuterConfinement::deepInside(const Vec3& position, double radius) const {
+  const double nearest = map_.lowestNear(position.x(), position.y(), position.z());
   // The share of a millionth is beyond the slack that `release` grants for rounding.
-  const double within = (nearest_ - margin_ * radius) * (1 - 1e-6);
-  return within > 0 && x * x + y * y < within * within;
+  const double within = (nearest - margin_ * radius) * (1 - 1e-6);
+  return within > 0 && position.head<2>().squaredNorm() < within * within;
 }
 
 void OuterConfinement::project(const AgentStore& agents, Index i, Vec3& position) const {
   if (agents.kind[i] != AgentKind::smc && agents.kind[i] != AgentKind::iel) return;
-  if (deepInside(position.x(), position.y(), agents.radius[i])) return;
+  if (deepInside(position, agents.radius[i])) return;
   const double limit = map_.at(position) - margin_ * agents.radius[i];
   if (radiusOf(position) > limit) position = atRadius(position, limit);
 }
 
 void OuterConfinement::release(const AgentStore& agents, Index i, Vec3& force) const {
   if (agents.kind[i] != AgentKind::smc && agents.kind[i] != AgentKind::iel) return;
-  if (deepInside(agents.x[i], agents.y[i], agents.radius[i])) return;
-  const Vec3 position = agents.position(i), out = radialAt(position);
+  const Vec3 position = agents.position(i);
+  if (deepInside(position, agents.radius[i])) return;
+  const Vec3 out = radialAt(position);
   const double limit = map_.at(position) - margin_ * agents.radius[i];
   const double outward = force.dot(out);
   // Rounding of the projection is far below a billionth of the radius.

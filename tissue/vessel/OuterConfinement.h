@@ -26,10 +26,9 @@ class OuterConfinement : public Constraint {
 
  private:
   /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.
-  bool deepInside(double x, double y, double radius) const;
+  bool deepInside(const Vec3& position, double radius) const;
 
   RadiusMap map_;
-  double nearest_;  ///< the surface is nowhere nearer to the axis [m]
   double margin_;
 };
 

@@ -6,6 +6,12 @@
 #include "Cylindrical.h"
 
 namespace restenosis {
+namespace {
+
+// Speed only: enough that a bound tells a stent's cells from those beside it.
+constexpr int sectors = 64;
+
+}  // namespace
 
 RadiusMap::RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing) {
   using std::numbers::pi;
@@ -45,6 +51,7 @@ RadiusMap::RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing)
     if (weight[n] > 0) values_[n] /= weight[n];
   }
   continueIntoGaps(weight);
+  bound();
 }
 
 void RadiusMap::continueIntoGaps(std::vector<double>& weight) {
@@ -78,10 +85,44 @@ void RadiusMap::continueIntoGaps(std::vector<double>& weight) {
   }
 }
 
-double RadiusMap::lowest() const {
+int RadiusMap::sectorOf(double x, double y) {
+  const double length = std::abs(x) + std::abs(y);
+  if (!(length > 0)) return 0;
+  // From -2 to 2 as the angle goes from -pi to pi.
+  const double along = y / length, turned = x >= 0 ? along : std::copysign(2.0, y) - along;
+  return std::clamp(static_cast<int>((turned + 2) / 4 * sectors), 0, sectors - 1);
+}
+
+int RadiusMap::rowOf(double z) const {
+  const double v = (z - zLow_) / zStep_;
+  return v > 0 ? static_cast<int>(std::min(v, std::max(0.0, along_ - 2.0))) : 0;
+}
+
+void RadiusMap::bound() {
+  const int rows = std::max(1, along_ - 1);
+  lowest_.assign(static_cast<std::size_t>(rows) * sectors, std::numeric_limits<double>::infinity());
+  for (int row = 0; row < rows; ++row) {
+    for (int k = 0; k < around_; ++k) {
+      const int right = (k + 1) % around_, next = std::min(row + 1, along_ - 1);
+      const double corners = std::min({value(k, row), value(right, row), value(k, next), value(right, next)});
+      const auto sectorOfNode = [&](int node) {
+        const double angle = (static_cast<double>(node) / around_ - 0.5) * 2 * std::numbers::pi;
+        return sectorOf(std::cos(angle), std::sin(angle));
+      };
+      // One more on either side, for a rounded angle; the sector at -pi follows that at pi.
+      const int first = k == 0 ? 0 : sectorOfNode(k);
+      const int last = k + 1 == around_ ? sectors - 1 : sectorOfNode(k + 1);
+      for (int s = first - 1; s <= last + 1; ++s) {
+        double& low = lowest_[static_cast<std::size_t>(row) * sectors + (s + sectors) % sectors];
+        low = std::min(low, corners * (1 - 1e-9));  // rounding of the interpolation is far below
+      }
+    }
+  }
+}
+
+double RadiusMap::lowestNear(double x, double y, double z) const {
   if (empty()) return std::numeric_limits<double>::infinity();
-  // Rounding of the interpolation is far below a billionth.
-  return *std::ranges::min_element(values_) * (1 - 1e-9);
+  return lowest_[static_cast<std::size_t>(rowOf(z)) * sectors + sectorOf(x, y)];
 }
 
 double RadiusMap::at(const Vec3& point) const {
@@ -89,7 +130,7 @@ double RadiusMap::at(const Vec3& point) const {
   const Cylindrical c = toCylindrical(point);
   const double u = (c.angle / (2 * std::numbers::pi) + 0.5) * around_;
   const double v = std::clamp((c.z - zLow_) / zStep_, 0.0, static_cast<double>(along_ - 1));
-  const int u0 = static_cast<int>(std::floor(u)), v0 = std::min(static_cast<int>(v), std::max(0, along_ - 2));
+  const int u0 = static_cast<int>(std::floor(u)), v0 = rowOf(c.z);
   const double s = u - u0, t = v - v0;
   const int left = u0 % around_, right = (u0 + 1) % around_, next = std::min(v0 + 1, along_ - 1);
   return (1 - t) * ((1 - s) * value(left, v0) + s * value(right, v0)) +

@@ -18,8 +18,8 @@ class RadiusMap {
   bool empty() const { return values_.empty(); }
   /// Distance of the surface from the axis at the point's angle and place along the vessel [m].
   double at(const Vec3& point) const;
-  /// A bound that no value of `at` is below [m]; infinite without agents.
-  double lowest() const;
+  /// A bound that `at` is not below at a point [m], found without an angle; infinite without agents.
+  double lowestNear(double x, double y, double z) const;
 
  private:
   double& value(int around, int along) { return values_[static_cast<std::size_t>(along) * around_ + around]; }
@@ -27,10 +27,15 @@ class RadiusMap {
     return values_[static_cast<std::size_t>(along) * around_ + around];
   }
   void continueIntoGaps(std::vector<double>& weight);
+  void bound();
+  /// Sector of a direction, increasing with its angle.
+  static int sectorOf(double x, double y);
+  int rowOf(double z) const;
 
   int around_ = 0, along_ = 0;
   double zLow_ = 0, zStep_ = 1;
   std::vector<double> values_;
+  std::vector<double> lowest_;  ///< by row of nodes along the vessel and sector
 };
 
 }  // namespace restenosis
