@@ -1,11 +1,21 @@
 #include "CyclePart.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace restenosis {
+namespace {
+
+// Daughters stand at the end of the store, where those around them are far away in memory. By the calendar
+// and not by their number, so that nothing of it has to be remembered.
+constexpr double timeBetweenOrderings = 86400;  // [s]
+
+}  // namespace
 
 void CyclePart::run(const Instant& now) {
   auto measurement = world_.timer.measure("biology");
+  const auto steps = std::max(1L, std::lround(timeBetweenOrderings / world_.scene.scene.step));
+  if (world_.divisions > 0 && now.step % steps == 0) orderInSpace(world_.wall);
   AgentStore& agents = world_.wall.agents;
   const auto radiusBefore = agents.radius;
   const CycleReport report = world_.biology.advanceCycle(agents, world_.wall.bonds, now.time);
