@@ -207,9 +207,7 @@ void Run::checkpointWhenDue(bool regular) {
 
 void Run::saveCheckpoint() {
   auto measurement = world_.timer.measure("output");
-  WritingArchive state;
-  archive(state);
-  checkpoint_.save(fingerprint_, state.buffer());
+  checkpoint_.save(fingerprint_, [this](StreamingArchive& state) { archive(state); });
   lastCheckpoint_ = std::chrono::steady_clock::now();
 }
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <utility>
 
 namespace restenosis {
@@ -36,15 +37,19 @@ class PartialFile {
   }
 
   void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(file_, text.data(), text.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail("write");
-      text.remove_prefix(static_cast<std::size_t>(written));
+    if (waiting_.size() + text.size() > largestWaiting) {
+      send(waiting_);
+      waiting_.clear();
+    }
+    if (text.size() > largestWaiting) {
+      send(text);
+    } else {
+      waiting_ += text;
     }
   }
 
   void commit() {
+    send(waiting_);
     if (::fsync(file_) != 0) fail("write");
     const int file = std::exchange(file_, -1);
     if (::close(file) != 0) fail("write");
@@ -54,6 +59,17 @@ class PartialFile {
   }
 
  private:
+  static constexpr std::size_t largestWaiting = 65536;
+
+  void send(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(file_, text.data(), text.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail("write");
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
   [[noreturn]] void fail(const char* what) const {
     throw WriteFailed(fmt::format("cannot {} {}: {}", what, target_.string(), reason(errno)));
   }
@@ -68,19 +84,22 @@ class PartialFile {
   }
 
   fs::path target_, partial_;
+  std::string waiting_;  ///< pieces too small to be worth a call of the system each
   int file_ = -1;
   bool committed_ = false;
 };
 
 }  // namespace
 
-void atomicWrite(const fs::path& file, std::span<const std::string_view> pieces) {
+void atomicWrite(const fs::path& file, const std::function<void(const PieceWriter&)>& content) {
   PartialFile partial(file);
-  for (const auto piece : pieces) partial.write(piece);
+  content([&partial](std::string_view piece) { partial.write(piece); });
   partial.commit();
 }
 
-void atomicWrite(const fs::path& file, std::string_view text) { atomicWrite(file, std::span(&text, 1)); }
+void atomicWrite(const fs::path& file, std::string_view text) {
+  atomicWrite(file, [text](const PieceWriter& write) { write(text); });
+}
 
 void createFolder(const fs::path& folder) {
   std::error_code error;

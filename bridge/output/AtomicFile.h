@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
+#include <functional>
 #include <stdexcept>
 #include <string_view>
 
@@ -12,11 +12,15 @@ struct WriteFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Replaces `file` by the pieces, one after the other, so that a reader, or a run killed at any moment, finds
-/// either the old content or the new one: written to `<file>.partial`, flushed to the disk, renamed, and the
-/// folder flushed. On failure (disk full, no permission) the old file stays as it was, the partial one is
-/// removed and WriteFailed is thrown.
-void atomicWrite(const std::filesystem::path& file, std::span<const std::string_view> pieces);
+/// Takes a piece of a file's content.
+using PieceWriter = std::function<void(std::string_view)>;
+
+/// Replaces `file` by the pieces that `content` hands over, one after the other, so that a reader, or a run
+/// killed at any moment, finds either the old content or the new one: written to `<file>.partial`, flushed to
+/// the disk, renamed, and the folder flushed. On failure (disk full, no permission, an exception of
+/// `content`) the old file stays as it was, the partial one is removed; WriteFailed is thrown, or the
+/// exception passed on.
+void atomicWrite(const std::filesystem::path& file, const std::function<void(const PieceWriter&)>& content);
 void atomicWrite(const std::filesystem::path& file, std::string_view text);
 
 /// Creates a folder and those above it; throws WriteFailed.

@@ -37,27 +37,46 @@ struct Header {
   void archive(Archive& a) {
     a(fingerprint, writtenBy, stateSize, digest);
   }
-  /// Of everything but the checksum itself, so that damage to the header shows as well.
-  std::string expectedDigest(std::string_view state) const {
+  /// Size of a state, and checksum of everything but the checksum itself, so that damage to the header shows
+  /// as well.
+  void measure(const Checkpoint::StateWriter& state) {
     HashingArchive hash;
-    for (const std::string_view text : {std::string_view(fingerprint), std::string_view(writtenBy), state})
-      hash.bytes(text.data(), text.size());
-    return hash.digest();
+    hash.bytes(fingerprint.data(), fingerprint.size());
+    hash.bytes(writtenBy.data(), writtenBy.size());
+    stateSize = 0;
+    StreamingArchive archive([&](std::string_view piece) {
+      hash.bytes(piece.data(), piece.size());
+      stateSize += piece.size();
+    });
+    state(archive);
+    digest = hash.digest();
   }
 };
+
+/// A state that is there as bytes.
+Checkpoint::StateWriter writerOf(std::string_view state) {
+  return [state](StreamingArchive& archive) { archive.bytes(state.data(), state.size()); };
+}
 
 }  // namespace
 
 void Checkpoint::save(std::string_view fingerprint, std::string_view state) const {
-  Header header{std::string(fingerprint), std::string(version()), "", state.size()};
-  header.digest = header.expectedDigest(state);
+  save(fingerprint, writerOf(state));
+}
+
+void Checkpoint::save(std::string_view fingerprint, const StateWriter& state) const {
+  Header header{std::string(fingerprint), std::string(version()), "", 0};
+  header.measure(state);
   WritingArchive archive;
   archive(header);
   const Prefix prefix{magic, formatVersion, static_cast<std::uint32_t>(archive.buffer().size())};
   createFolder(folder_);
-  const std::array<std::string_view, 3> pieces{
-      std::string_view(reinterpret_cast<const char*>(&prefix), sizeof(prefix)), archive.buffer(), state};
-  atomicWrite(file(), pieces);
+  atomicWrite(file(), [&](const PieceWriter& write) {
+    write({reinterpret_cast<const char*>(&prefix), sizeof(prefix)});
+    write(archive.buffer());
+    StreamingArchive stream(write);
+    state(stream);
+  });
 }
 
 std::string Checkpoint::load(std::string_view fingerprint) const {
@@ -107,7 +126,9 @@ std::string Checkpoint::load(std::string_view fingerprint) const {
   std::string state(header.stateSize, '\0');
   stream.read(state.data(), static_cast<std::streamsize>(state.size()));
   if (!stream) throw truncated();
-  if (header.digest != header.expectedDigest(state)) throw corrupt();
+  Header measured = header;
+  measured.measure(writerOf(state));
+  if (header.digest != measured.digest) throw corrupt();
   if (header.fingerprint != fingerprint) {
     throw refuse(
         Reason::foreign,

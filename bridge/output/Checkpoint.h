@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "StateArchive.h"
 
 namespace restenosis {
 
@@ -15,9 +18,8 @@ struct CheckpointRefused : std::runtime_error {
 };
 
 /// The stored state of a run in a folder of its own: one file that is replaced atomically, so that a run
-/// killed at any moment, or a full disk, leaves the last complete state. The state is bytes of a
-/// WritingArchive; the file adds what is needed to trust it: format, the scene it belongs to, its size and
-/// its XXH3 checksum.
+/// killed at any moment, or a full disk, leaves the last complete state. The state is bytes of an archive;
+/// the file adds what is needed to trust it: format, the scene it belongs to, its size and its XXH3 checksum.
 class Checkpoint {
  public:
   explicit Checkpoint(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -25,8 +27,14 @@ class Checkpoint {
   std::filesystem::path file() const { return folder_ / "state.bin"; }
   bool exists() const { return std::filesystem::exists(file()); }
 
+  /// Passes a state to an archive.
+  using StateWriter = std::function<void(StreamingArchive&)>;
+
   /// Replaces the stored state. `fingerprint` identifies everything of the scene that decides the run's
-  /// result. Throws WriteFailed; the former checkpoint is then still there and complete.
+  /// result. `state` is called twice, for the checksum and for the file, and must pass the same both times: a
+  /// copy in memory would double what a run needs. Throws WriteFailed; the former checkpoint is then still
+  /// there and complete.
+  void save(std::string_view fingerprint, const StateWriter& state) const;
   void save(std::string_view fingerprint, std::string_view state) const;
   /// The state as it was saved. Throws CheckpointRefused when there is none, it is damaged, of another
   /// format, or of a scene with another fingerprint.

@@ -1,12 +1,19 @@
 #include "AgentStore.h"
 
 #include <cassert>
+#include <type_traits>
+#include <utility>
+
+#include "Room.h"
 
 namespace restenosis {
 
 Index AgentStore::append(AgentKind newKind, const Vec3& position, double newRadius) {
   const Index index = size();
-  forEachArray([](auto& values) { values.emplace_back(); });
+  forEachArray([](auto& values) {
+    makeRoom(values, values.size() + 1);
+    values.emplace_back();
+  });
   id[index] = nextId++;
   setPosition(index, position);
   radius[index] = newRadius;
@@ -30,8 +37,9 @@ void AgentStore::erase(std::span<const std::uint8_t> remove) {
 void AgentStore::reorder(std::span<const Index> order) {
   assert(order.size() == size());
   forEachArray([&](auto& values) {
-    auto old = values;
-    for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
+    std::remove_reference_t<decltype(values)> ordered(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = values[order[k]];
+    values = std::move(ordered);
   });
 }
 

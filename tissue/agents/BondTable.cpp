@@ -4,6 +4,9 @@
 #include <cassert>
 #include <limits>
 #include <numeric>
+#include <utility>
+
+#include "Room.h"
 
 namespace restenosis {
 
@@ -12,6 +15,8 @@ std::size_t BondTable::bondCount() const {
 }
 
 void BondTable::resize(Index agents) {
+  makeRoom(bonds_, agents);
+  makeRoom(count_, agents);
   bonds_.resize(agents);
   count_.resize(agents, 0);
 }
@@ -40,7 +45,7 @@ void BondTable::disconnectAll(Index agent) {
 void BondTable::reorder(std::span<const Index> order) {
   std::vector<Index> newIndex(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) newIndex[order[k]] = static_cast<Index>(k);
-  const auto oldBonds = bonds_;
+  const auto oldBonds = std::exchange(bonds_, std::vector<std::array<Bond, maxBonds>>(order.size()));
   const auto oldCount = count_;
   for (std::size_t k = 0; k < order.size(); ++k) {
     count_[k] = oldCount[order[k]];

@@ -11,6 +11,10 @@ void WritingArchive::bytes(const void* data, std::size_t size) {
   if (size > 0) buffer_.append(static_cast<const char*>(data), size);
 }
 
+void StreamingArchive::bytes(const void* data, std::size_t size) {
+  if (size > 0) sink_({static_cast<const char*>(data), size});
+}
+
 void ReadingArchive::bytes(void* data, std::size_t size) {
   checkSize(size);
   if (size > 0) std::memcpy(data, buffer_.data() + position_, size);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace restenosis {
@@ -93,6 +95,18 @@ class WritingArchive : public StateArchive<WritingArchive> {
 
  private:
   std::string buffer_;
+};
+
+/// Hands a state to a function, piece by piece, without a copy of it.
+class StreamingArchive : public StateArchive<StreamingArchive> {
+ public:
+  using Sink = std::function<void(std::string_view)>;
+  explicit StreamingArchive(Sink sink) : sink_(std::move(sink)) {}
+  void bytes(const void* data, std::size_t size);
+  void checkSize(std::uint64_t) {}
+
+ private:
+  Sink sink_;
 };
 
 /// Fills a state from a buffer; throws ArchiveTruncated when it is too short.

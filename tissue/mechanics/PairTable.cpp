@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "Chunks.h"
+#include "Room.h"
 
 namespace restenosis {
 namespace {
@@ -78,6 +79,7 @@ void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
     abandoned_ += row.room;
     row.start = static_cast<std::uint32_t>(blocks_.size());
     row.room = row.count + spareBlocks;
+    makeRoom(blocks_, blocks_.size() + row.room);
     blocks_.resize(blocks_.size() + row.room);
   }
   if (static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(blocks_.size()))

@@ -7,6 +7,7 @@
 
 #include "CellGrid.h"
 #include "NeighbourQuery.h"
+#include "Room.h"
 
 namespace restenosis {
 namespace {
@@ -235,6 +236,8 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vecto
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names,
                                          const std::vector<std::uint8_t>& stale) {
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
+  makeRoom(anchors_, agents.size());
+  makeRoom(rows_, agents.size());
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
   for (const Index i : names) anchors_[i] = anchorOf(agents, i, range_);
@@ -295,6 +298,7 @@ void NeighbourList::setRow(Index i, const std::vector<Index>& row) {
     abandoned_ += place.room;
     place.start = neighbours_.size();
     place.room = place.count + spareEntries;
+    makeRoom(neighbours_, neighbours_.size() + place.room);
     neighbours_.resize(neighbours_.size() + place.room);
   }
   std::ranges::copy(row, neighbours_.begin() + static_cast<std::ptrdiff_t>(place.start));
