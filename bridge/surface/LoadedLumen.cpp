@@ -26,8 +26,10 @@ constexpr double leastDiameter = 0.02e-3, largestDiameter = 50e-3;
   throw std::runtime_error("the lumen surface cannot be used: " + reason);
 }
 
+/// A place for people, without the round-off of zeros.
 std::string shown(const Vec3& p) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
+  const Vec3 rounded = (1e6 * p).array().round() * 1e-3 + 0.0;  // [mm], of whole micrometres; -0 is 0
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", rounded.x(), rounded.y(), rounded.z());
 }
 
 /// Makes triangles that meet run along their edge in opposite directions, starting from the first.
