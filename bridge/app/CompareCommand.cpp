@@ -74,18 +74,25 @@ void nameFiles(const fs::path& folder) {
     if (fs::exists(folder / file)) std::cout << fmt::format("  {:<20} {}\n", file, what);
 }
 
-int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder) {
+/// The lumen that the scene makes, or that of its results.
+ComparedLumen comparedLumen(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
+                            int threads) {
+  if (arguments.ofResults()) return finishedLumen(arguments.scene.file, arguments.day);
+  return deployedLumen(scene, folder / "deployment", threads, &stopOnSignals());
+}
+
+int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
+            std::optional<ComparedLumen> loaded) {
   createFolder(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();
   const int threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads();
   omp_set_num_threads(threads);
-  const ComparedLumen lumen = arguments.ofResults()
-                                  ? finishedLumen(arguments.scene.file, arguments.day)
-                                  : deployedLumen(scene, folder / "deployment", threads, stopRequested);
+  const ComparedLumen lumen = loaded ? std::move(*loaded) : comparedLumen(scene, arguments, folder, threads);
   const ProbeLines lines = probeLines(lumen.surface);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
   const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
+                                   .foam = scene.foam,
                                    .lbm = lbm,
                                    .keepVelocities = true,
                                    .ranks = arguments.ranks,
@@ -127,8 +134,15 @@ int tryCompare(const CompareArguments& arguments) {
     std::cerr << "--day chooses a lumen of a finished run: name its results folder instead of a scene\n";
     return ExitStatus::wrongInput;
   }
+  std::optional<ComparedLumen> loaded;
+  if (!scene->vessel.lumenSurface.empty()) try {
+      loaded = loadedLumen(*scene);
+    } catch (const std::runtime_error& error) {
+      std::cerr << error.what() << '\n';
+      return ExitStatus::wrongInput;
+    }
   try {
-    return compare(*scene, arguments, outputFolder(arguments, scene->name));
+    return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded));
   } catch (const FolderRefused& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;

@@ -1,9 +1,13 @@
 #include "ComparedLumen.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "AtomicFile.h"
+#include "LoadedLumen.h"
 #include "LumenFile.h"
+#include "LumenFrame.h"
 #include "Progress.h"
 #include "Run.h"
 #include "SceneWriter.h"
@@ -28,6 +32,16 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
   run.go();
   progress.finish();
   return {readLumen(recordedLumens(folder).front().file), 0.0};
+}
+
+ComparedLumen loadedLumen(const Scene& scene) {
+  const TriSurface lumen = loadLumen(scene.vessel);
+  const auto frame = frameAlongZ(lumen);
+  if (!frame)
+    throw std::runtime_error(
+        fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
+                    scene.vessel.lumenSurface));
+  return {movedAlongZ(lumen, *frame), 0.0};
 }
 
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {

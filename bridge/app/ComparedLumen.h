@@ -20,6 +20,10 @@ struct ComparedLumen {
 ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
                             const std::atomic<bool>* stopRequested);
 
+/// The lumen that a scene loads from a file, laid along z. Throws std::runtime_error where it cannot be: the
+/// lattice Boltzmann method needs it so.
+ComparedLumen loadedLumen(const Scene& scene);
+
 /// The lumen that a run has recorded nearest to a day, the last one without. Throws std::runtime_error.
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day);
 

@@ -54,6 +54,16 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
     name(picture, "picture");
 }
 
+void printPoiseuille(const Run& run) {
+  const auto error = run.poiseuille();
+  if (!error) return;
+  std::cout << fmt::format(
+      "\nWSS against 4 mu U / R = {:.4f} Pa, without {:g} mm at either end: mean {:+.2f} %, L2 {:.2f} %, "
+      "largest {:.2f} %\n",
+      error->exact, 1e3 * PoiseuilleError::endMargin, 100 * error->mean, 100 * error->l2,
+      100 * error->largest);
+}
+
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = arguments.folder.empty() ? std::filesystem::path("results") / scene.name
                                                               : std::filesystem::path(arguments.folder);
@@ -66,11 +76,14 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   if (arguments.resume) run.resume();
   atomicWrite(folder.scene(), writeScene(scene, Units()));
   run.go();
-  if (scene.output.pictures) {
+  // The pictures unroll the lumen about its axis, which a loaded one need not have
+  const bool pictures = scene.output.pictures && scene.vessel.lumenSurface.empty();
+  if (pictures) {
     const std::string obstacle = Figures().draw(folder.path());
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
-  nameResults(folder, run, scene.output.pictures);
+  printPoiseuille(run);
+  nameResults(folder, run, pictures);
   return ExitStatus::done;
 }
 

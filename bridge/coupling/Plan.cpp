@@ -65,8 +65,10 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
     parts.push_back({std::move(name), runs, std::move(explanation)});
   };
   const bool tissue = scene.hasTissue(), cycle = scene.cellCycle.has_value();
+  const bool loaded = !scene.vessel.lumenSurface.empty();
   add("wall", tissue,
-      !tissue                       ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
+      !tissue && loaded ? "no [mechanics], so no tissue: the lumen is " + scene.vessel.lumenSurface
+      : !tissue         ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
       : scene.vessel.agents.empty() ? "packed once, then relaxed"
                                     : "loaded from " + scene.vessel.agents);
   add("deployment", scene.stent.has_value(),

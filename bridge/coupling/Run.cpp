@@ -11,6 +11,7 @@
 #include "ExposurePart.h"
 #include "FlowBackends.h"
 #include "FlowPart.h"
+#include "LumenFrame.h"
 #include "LumenPart.h"
 #include "LumenSurface.h"
 #include "NitricOxidePart.h"
@@ -156,10 +157,12 @@ void Run::buildSchedule() {
     world_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
   auto backend = scene_.flow
                      ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
+                                                              .foam = scene_.foam,
                                                               .lbm = scene_.lbm,
                                                               .ranks = options_.ranks,
                                                               .stopRequested = options_.stopRequested})
                      : nullptr;
+  if (backend && world_.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
   if (scene_.hasTissue()) schedule_->add(std::make_unique<RelaxPart>(world_));
   if (scene_.cellCycle) schedule_->add(std::make_unique<ExposurePart>(world_));
   if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));
@@ -230,6 +233,14 @@ std::string Run::stateDigest() {
 
 std::uint64_t Run::flowSolvesDone() const { return world_.flow.solves; }
 
+std::optional<PoiseuilleError> Run::poiseuille() const {
+  const VesselParameters& vessel = scene_.vessel;
+  const bool straightTube = !scene_.hasTissue() && vessel.stenosis == 0 && !world_.hasLoadedLumen();
+  if (!straightTube || !world_.flow.last || scene_.flow->drive != "flowRate") return std::nullopt;
+  return poiseuilleError(world_.flow.last->wall, vessel.lumenDiameter, vessel.length,
+                         scene_.flow->conditions(vessel.lumenDiameter));
+}
+
 void Run::writeFinalResults() {
   world_.progress.finish();
   const RadialMap& present = world_.lumen.present;
@@ -263,6 +274,7 @@ void Run::writeSummary() {
     const auto flow = schedule_->counts().find("flow");
     if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
+  summary.poiseuille = poiseuille();
   summary.parts = world_.timer.costs();
   summary.remarks = world_.remarks;
   writeSummaryJson(folder_.summary(), summary);

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "Checkpoint.h"
+#include "PoiseuilleError.h"
 #include "RecordPart.h"
 #include "ResultsFolder.h"
 #include "Schedule.h"
@@ -46,6 +48,9 @@ class Run {
   std::string status() const { return status_; }
   std::string stateDigest();
   std::uint64_t flowSolvesDone() const;
+  /// The error of the last flow against Poiseuille's law, where it holds: in a straight tube without tissue,
+  /// at a fixed flow rate.
+  std::optional<PoiseuilleError> poiseuille() const;
 
  private:
   enum class Stage : std::uint8_t { fresh, deploying, growing };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "CylinderSurface.h"
+#include "LoadedLumen.h"
 #include "LumenSurface.h"
 
 namespace restenosis {
@@ -29,6 +30,7 @@ World::World(const Scene& s, const ResultsFolder& f, Progress& p)
     : scene(s), folder(f), progress(p), wall(emptyWall(s.vessel)), biology(biologySettings(s)) {}
 
 void World::takeLumen() {
+  if (hasLoadedLumen()) return;  // it never changes, and has no axis to see it from
   auto measurement = timer.measure("surface");
   surface_.reset();
   if (!scene.hasTissue()) {
@@ -53,7 +55,10 @@ const TriSurface& World::lumenSurface() {
   if (!field_) takeLumen();
   if (!surface_) {
     auto measurement = timer.measure("surface");
-    surface_ = scene.hasTissue() ? extractSurface(*field_) : cylinderSurface(scene.vessel);
+    if (hasLoadedLumen())
+      surface_ = loadLumen(scene.vessel);
+    else
+      surface_ = scene.hasTissue() ? extractSurface(*field_) : cylinderSurface(scene.vessel);
   }
   return *surface_;
 }

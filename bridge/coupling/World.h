@@ -72,6 +72,8 @@ struct World {
   const TriSurface& lumenSurface();
   /// Takes the lumen's shape from the present agents.
   void updateLumen();
+  /// Whether the lumen is a surface from a file. It has no radial map: LumenState stays empty.
+  bool hasLoadedLumen() const { return !scene.vessel.lumenSurface.empty(); }
   /// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
   std::pair<double, double> measuredSection() const;
 
@@ -84,7 +86,7 @@ struct World {
   void takeLumen();
 
   std::optional<LumenField> field_;
-  std::optional<TriSurface> surface_;  ///< of field_, made when it is asked for
+  std::optional<TriSurface> surface_;  ///< of field_, or loaded; made when it is asked for
 };
 
 /// The settings of a scene's biology.

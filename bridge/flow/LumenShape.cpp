@@ -12,6 +12,8 @@ namespace {
 /// Largest departure of an end from its plane, over its distance from the axis origin or its size.
 constexpr double planarity = 1e-6;
 
+const char* nameOf(SurfaceRegion end) { return end == SurfaceRegion::inlet ? "inlet" : "outlet"; }
+
 void requireFinite(const TriSurface& lumen) {
   if (lumen.triangles.empty()) throw std::invalid_argument("the lumen surface has no triangles");
   if (lumen.region.size() != lumen.triangles.size())
@@ -53,19 +55,23 @@ void requireClosed(const TriSurface& lumen) {
         open));
 }
 
-}  // namespace
-
-void requireLumen(const TriSurface& lumen) {
+void requireSound(const TriSurface& lumen) {
   requireFinite(lumen);
   requireClosed(lumen);
   if (!(enclosedVolume(lumen) > 0.0))
     throw std::invalid_argument("the normals of the lumen surface point into the lumen");
+}
+
+}  // namespace
+
+void requireLumen(const TriSurface& lumen) {
+  requireSound(lumen);
   if (!(lumenEnd(lumen, SurfaceRegion::inlet).z < lumenEnd(lumen, SurfaceRegion::outlet).z))
     throw std::invalid_argument("the inlet of the lumen surface must lie below its outlet on the z axis");
 }
 
 LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end) {
-  const char* name = end == SurfaceRegion::inlet ? "inlet" : "outlet";
+  const char* name = nameOf(end);
   LumenEnd result{0.0, 0.0, Vec3::Zero()};
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
@@ -87,6 +93,52 @@ LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end) {
   result.centre /= result.area;
   result.z = 0.5 * (lowest + highest);
   return result;
+}
+
+EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
+  EndPlane result{Vec3::Zero(), Vec3::Zero(), 0.0};
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    if (lumen.region[i] != end) continue;
+    const Vec3 areaVector = lumen.areaVector(i);
+    result.normal += areaVector;
+    result.area += areaVector.norm();
+    result.centre += areaVector.norm() * lumen.centre(i);
+  }
+  if (!(result.area > 0.0))
+    throw std::invalid_argument(fmt::format("the lumen surface has no {}", nameOf(end)));
+  result.centre /= result.area;
+  result.normal.normalize();
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    if (lumen.region[i] != end) continue;
+    for (const auto v : lumen.triangles[i])
+      farthest = std::max(farthest, std::abs(result.normal.dot(lumen.vertices[v] - result.centre)));
+  }
+  if (farthest > planarity * std::sqrt(result.area))
+    throw std::invalid_argument(fmt::format(
+        "the {} of the lumen surface is not planar: a vertex is {:.3g} m off", nameOf(end), farthest));
+  return result;
+}
+
+void requireLumenWithPlanarEnds(const TriSurface& lumen) {
+  requireSound(lumen);
+  endPlane(lumen, SurfaceRegion::inlet);
+  endPlane(lumen, SurfaceRegion::outlet);
+}
+
+bool liesAlongZ(const TriSurface& lumen) {
+  const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
+  const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
+  const double low = inlet.centre.z(), high = outlet.centre.z();
+  const double slack = planarity * std::max(std::sqrt(inlet.area), high - low);
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i)
+    for (const auto v : lumen.triangles[i]) {
+      const double z = lumen.vertices[v].z();
+      const double lowest = lumen.region[i] == SurfaceRegion::outlet ? high : low;
+      const double highest = lumen.region[i] == SurfaceRegion::inlet ? low : high;
+      if (z < lowest - slack || z > highest + slack) return false;
+    }
+  return low < high;
 }
 
 double enclosedVolume(const TriSurface& lumen) {

@@ -23,6 +23,24 @@ void requireLumen(const TriSurface& lumen);
 /// is no plane of constant z.
 LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end);
 
+/// A planar end of a lumen in any direction.
+struct EndPlane {
+  Vec3 centre;  ///< centroid of the end [m]
+  Vec3 normal;  ///< unit vector out of the lumen
+  double area;  ///< [m^2]
+};
+
+/// The end that carries this region (inlet or outlet). Throws std::invalid_argument where there is none or it
+/// is not planar.
+EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end);
+
+/// requireLumen for a lumen of any shape, whose planar ends may face in any directions.
+void requireLumenWithPlanarEnds(const TriSurface& lumen);
+
+/// Whether the lumen lies along z: its ends are planes of constant z, the inlet below the outlet, and all of
+/// it lies between them.
+bool liesAlongZ(const TriSurface& lumen);
+
 /// Volume enclosed by a closed surface with outward normals [m^3].
 double enclosedVolume(const TriSurface& lumen);
 

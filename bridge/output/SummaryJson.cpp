@@ -36,6 +36,16 @@ Json flowSolves(const Summary& summary) {
   return flow;
 }
 
+Json poiseuille(const Summary& summary) {
+  if (!summary.poiseuille) return nullptr;
+  const PoiseuilleError& error = *summary.poiseuille;
+  return {{"exactWss_Pa", error.exact},
+          {"meanError", error.mean},
+          {"l2Error", error.l2},
+          {"largestError", error.largest},
+          {"endsLeftOut_mm", 1e3 * PoiseuilleError::endMargin}};
+}
+
 Json partCosts(const Summary& summary) {
   auto parts = Json::object();
   for (const auto& [name, cost] : summary.parts) {
@@ -63,6 +73,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);
   json["flow"] = flowSolves(summary);
+  json["poiseuille"] = poiseuille(summary);
   json["parts"] = partCosts(summary);
   double total = 0;
   for (const auto& [name, cost] : summary.parts) total += cost.seconds;

@@ -8,6 +8,7 @@
 #include "ContactInhibitionParameters.h"
 #include "EndotheliumParameters.h"
 #include "FlowParameters.h"
+#include "FoamSettings.h"
 #include "InjuryParameters.h"
 #include "LbmSettings.h"
 #include "MechanicsParameters.h"
@@ -31,7 +32,8 @@ struct Scene {
   std::optional<ContactInhibitionParameters> contactInhibition;
   std::optional<EndotheliumParameters> endothelium;
   std::optional<FlowParameters> flow;
-  std::optional<LbmSettings> lbm;  ///< where absent, those of `scene.fidelity`
+  std::optional<FoamSettings> foam;  ///< where absent, those of `scene.fidelity`
+  std::optional<LbmSettings> lbm;    ///< the same
   CouplingParameters coupling;
   OutputParameters output;
 
@@ -57,6 +59,7 @@ void Scene::forEachOptionalSection(F&& f) {
   f(contactInhibition);
   f(endothelium);
   f(flow);
+  f(foam);
   f(lbm);
 }
 

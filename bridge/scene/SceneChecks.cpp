@@ -84,11 +84,14 @@ Finding stenosisInTissue(const Scene& s, const Units&) {
   return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
 }
 
-Finding loadedLumen(const Scene& s, const Units&) {
-  if (s.vessel.lumenSurface.empty()) return {};
-  return "'lumenSurface' is not part of this version: the lumen is taken from the tissue, or is the cylinder "
-         "of [vessel]; "
-         "take it out";
+Finding lumenSurfaceInTissue(const Scene& s, const Units&) {
+  if (s.vessel.lumenSurface.empty() || !s.hasTissue()) return {};
+  return "'lumenSurface' is the lumen of a vessel without tissue; take it or [mechanics] out";
+}
+
+Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
+  if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
+  return "'stenosis' shapes a cylinder, but the lumen is that of 'lumenSurface'; take one of them out";
 }
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
@@ -152,7 +155,8 @@ const std::vector<Check>& checks() {
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
-      {{"vessel.lumenSurface"}, loadedLumen},
+      {{"vessel.lumenSurface", "mechanics"}, lumenSurfaceInTissue},
+      {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "LumenSurfaceChecks.h"
 #include "NearestName.h"
 #include "SceneChecks.h"
 #include "SceneDocument.h"
@@ -72,6 +73,13 @@ void resolve(Scene& scene, const SceneDocument& document) {
   if (stent != nullptr && scene.stent->design == "ring" && stent->values.count("length") == 0) {
     scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
   }
+  // Of the cell sizes, those not given are the fidelity's.
+  if (const GivenSection* given = document.find(FoamSettings::section)) {
+    const FoamSettings level = FoamSettings::forFidelity(scene.scene.fidelity);
+    if (!given->values.contains("cellSize")) scene.foam->cellSize = level.cellSize;
+    if (!given->values.contains("wallLevel")) scene.foam->wallLevel = level.wallLevel;
+    if (!given->values.contains("strutLevel")) scene.foam->strutLevel = level.strutLevel;
+  }
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
@@ -132,6 +140,7 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
     reader.finish(all);
   });
   resolve(scene, document);
+  takeLumenSurface(scene, document, units_, findings);
   checkScene(scene, document, units_, findings);
 
   if (findings.diagnostics.empty()) return scene;

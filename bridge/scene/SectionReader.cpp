@@ -201,10 +201,8 @@ void SectionReader::file(std::string& value, const ParameterInfo& info) {
   const std::filesystem::path path = std::filesystem::absolute(folder_ / *text).lexically_normal();
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (std::filesystem::is_regular_file(status)) {
-    value = path.string();
-    return;
-  }
+  value = path.string();  // also of a file that is missing: what depends on it is not missing as well
+  if (std::filesystem::is_regular_file(status)) return;
   const bool folder = std::filesystem::is_directory(status);
   complain(*given, info.key,
            fmt::format("'{}' in [{}]: {} {}", info.key, name_, path.string(),

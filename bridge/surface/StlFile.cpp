@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -26,6 +29,62 @@ void save(const std::filesystem::path& file, const std::string& content) {
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
   if (!out) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+/// Distance below which vertices are one, over the diagonal of the surface's box.
+constexpr double mergedWithin = 1e-6;
+
+vtkPolyData& readPolygons(vtkSTLReader& reader, const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw std::runtime_error(fmt::format("{} is not a file", file.string()));
+  reader.SetFileName(file.string().c_str());
+  reader.GlobalWarningDisplayOff();
+  reader.Update();
+  vtkPolyData* mesh = reader.GetOutput();
+  if (!mesh || mesh->GetNumberOfPolys() == 0)
+    throw std::runtime_error(fmt::format("{} holds no triangles: it must be an STL file", file.string()));
+  return *mesh;
+}
+
+TriSurface surfaceOf(vtkPolyData& mesh, double metresPerUnit) {
+  TriSurface s;
+  for (vtkIdType v = 0; v < mesh.GetNumberOfPoints(); ++v) {
+    double p[3];
+    mesh.GetPoint(v, p);
+    s.vertices.push_back(metresPerUnit * Vec3(p[0], p[1], p[2]));
+  }
+  for (vtkIdType c = 0; c < mesh.GetPolys()->GetNumberOfCells(); ++c) {
+    vtkIdType count;
+    const vtkIdType* ids;
+    mesh.GetPolys()->GetCellAtId(c, count, ids);
+    s.triangles.push_back({static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
+                           static_cast<std::uint32_t>(ids[2])});
+  }
+  s.region.assign(s.triangles.size(), SurfaceRegion::wall);
+  return s;
+}
+
+/// Binary files may begin with "solid" too; they are known by their size.
+bool isBinary(const std::filesystem::path& file) {
+  std::array<char, 84> head{};
+  std::uint32_t count = 0;
+  if (!std::ifstream(file, std::ios::binary).read(head.data(), head.size())) return false;
+  std::memcpy(&count, head.data() + 80, sizeof(count));
+  return std::filesystem::file_size(file) == 84 + 50 * std::uintmax_t{count};
+}
+
+/// The names behind the words "solid" of an ASCII file, in order.
+std::vector<std::string> solidNames(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  if (isBinary(file)) return names;
+  std::ifstream stream(file, std::ios::binary);
+  for (std::string line; std::getline(stream, line);) {
+    const auto start = line.find_first_not_of(" \t");
+    if (start == std::string::npos || line.compare(start, 5, "solid") != 0) continue;
+    const auto name = line.find_first_not_of(" \t", start + 5), end = line.find_last_not_of(" \t\r");
+    names.push_back(name == std::string::npos || name > end ? "" : line.substr(name, end - name + 1));
+  }
+  return names;
 }
 
 }  // namespace
@@ -79,31 +138,38 @@ void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface,
 }
 
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit) {
-  if (!std::filesystem::is_regular_file(file))
-    throw std::runtime_error(fmt::format("{} is not a file", file.string()));
   vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(file.string().c_str());
   reader->MergingOn();
-  reader->GlobalWarningDisplayOff();
-  reader->Update();
-  vtkPolyData* mesh = reader->GetOutput();
-  if (!mesh || mesh->GetNumberOfPolys() == 0)
-    throw std::runtime_error(fmt::format("{} holds no triangles: it must be an STL file", file.string()));
-  TriSurface s;
-  for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v) {
-    double p[3];
-    mesh->GetPoint(v, p);
-    s.vertices.push_back(metresPerUnit * Vec3(p[0], p[1], p[2]));
+  return surfaceOf(readPolygons(*reader, file), metresPerUnit);
+}
+
+StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit) {
+  vtkNew<vtkSTLReader> reader;
+  reader->MergingOff();  // vertices that are no numbers must be found before they are sorted by place
+  reader->ScalarTagsOn();
+  vtkPolyData& soup = readPolygons(*reader, file);
+  for (vtkIdType v = 0; v < soup.GetNumberOfPoints(); ++v) {
+    const double* p = soup.GetPoint(v);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      throw std::runtime_error(
+          fmt::format("{} has a vertex that is not a finite number, in triangle {}", file.string(), v / 3));
   }
-  for (vtkIdType c = 0; c < mesh->GetPolys()->GetNumberOfCells(); ++c) {
-    vtkIdType count;
-    const vtkIdType* ids;
-    mesh->GetPolys()->GetCellAtId(c, count, ids);
-    s.triangles.push_back({static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
-                           static_cast<std::uint32_t>(ids[2])});
-  }
-  s.region.assign(s.triangles.size(), SurfaceRegion::wall);
-  return s;
+  vtkNew<vtkCleanPolyData> welded;
+  welded->SetInputData(&soup);
+  welded->SetTolerance(mergedWithin);
+  welded->Update();
+  vtkPolyData& mesh = *welded->GetOutput();
+  StlSolids result;
+  result.surface = surfaceOf(mesh, metresPerUnit);
+  result.names = solidNames(file);
+  // Cells that lost their area come before the triangles
+  const vtkIdType before = mesh.GetNumberOfCells() - mesh.GetNumberOfPolys();
+  vtkDataArray* label = mesh.GetCellData()->GetScalars();
+  for (vtkIdType c = 0; c < mesh.GetNumberOfPolys(); ++c)
+    result.solid.push_back(label ? static_cast<std::uint32_t>(label->GetTuple1(before + c)) : 0);
+  const auto last = std::max_element(result.solid.begin(), result.solid.end());
+  if (last != result.solid.end()) result.names.resize(std::max<std::size_t>(result.names.size(), *last + 1));
+  return result;
 }
 
 void markEnds(TriSurface& surface, double length, double tolerance) {

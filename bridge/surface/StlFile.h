@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "TriSurface.h"
 
@@ -20,6 +23,18 @@ void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface,
 /// Reads an STL file, binary or ASCII, and merges equal vertices. All triangles become `wall`: see
 /// `markEnds`. Throws std::runtime_error if the file is missing, no STL, or empty.
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit);
+
+/// Triangles as a file has them, and the solid that each belongs to.
+struct StlSolids {
+  TriSurface surface;                ///< every region is `wall`
+  std::vector<std::uint32_t> solid;  ///< one a triangle
+  std::vector<std::string> names;    ///< by solid; empty texts where the file names none, as binary ones do
+};
+
+/// Reads an STL file with its solids. Vertices closer than 1e-6 of the surface's extent (assumed: what seven
+/// digits leave) become one, and triangles that vanish by it are left out. Throws std::runtime_error like
+/// readStl, and where a vertex is not finite.
+StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit);
 
 /// Makes the triangles that lie in the planes z = 0 and z = `length` [m] inlet and outlet, and puts them
 /// exactly there; `tolerance` [m] is how far a vertex may be off.

@@ -7,6 +7,9 @@
 #include "FoamTemplate.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
+#include "StlFile.h"
+#include "SurfaceEnds.h"
+#include "SweptTube.h"
 #include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
@@ -28,13 +31,42 @@ TEST(LumenCase, numbersAreWrittenInMillimetres) {
   EXPECT_NEAR(number("kinematicViscosity"), 2.7, 1e-12);
   EXPECT_NEAR(number("flowRate"), 338.4438, 1e-3);
   EXPECT_NEAR(number("inletRadius"), 0.9, 1e-9);
-  EXPECT_NEAR(number("outletZ"), 1.2, 1e-12);
+  EXPECT_NEAR(number("zMax"), 1.2, 1e-12);
+  EXPECT_EQ(text.get("ends"), "cut");
+  EXPECT_EQ(text.get("coreLevel"), "0");
   EXPECT_NEAR(number("pressureDrop"), 4256.0, 0.1);
   EXPECT_EQ(number("cellsZ"), 13);
   EXPECT_NEAR((number("xMax") - number("xMin")) / number("cellsX"), 0.09, 1e-12);
   EXPECT_GT(number("xMax"), 0.9 + 0.09);
   EXPECT_EQ(text.get("struts"), "yes");
   EXPECT_EQ(text.get("drive"), "flowRate");
+}
+
+TEST(LumenCase, aBentLumenIsMeshedWithItsCaps) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  const TriSurface bent = bentTube(vesselRadius, 1e-3, 2e-3, 1e-3);
+  EXPECT_EQ(measureLumen(bent, settings).ends, LumenEnds::inletCut);  // it begins along z
+  const auto lumen = measureLumen(moved(bent, motionTo(Vec3(1, 2, 3), Vec3(0, 0, 0))), settings);
+  const double axis = 2e-3 + 1e-3 * std::numbers::pi;
+  EXPECT_NEAR(lumen.length() / axis, 1.0, 0.01);
+  auto text = templateParameters();
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
+  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
+  EXPECT_EQ(text.get("ends"), "caps");
+  EXPECT_LT(number("zMin"), -0.09);
+  EXPECT_NEAR((number("zMax") - number("zMin")) / number("cellsZ"), 0.09, 1e-12);
+}
+
+TEST(LumenCase, aLongLumenGetsACoarserBlock) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  const auto lumen = measureLumen(bentTube(vesselRadius, 10e-3, 2e-3, 10e-3), settings);
+  auto text = templateParameters();
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
+  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
+  EXPECT_LE(number("cellsX") * number("cellsY") * number("cellsZ"), 1.5e6);
+  const double block = (number("xMax") - number("xMin")) / number("cellsX");
+  EXPECT_NEAR(block / std::exp2(number("coreLevel")), 0.09, 1e-12);
+  EXPECT_EQ(number("wallLevel"), number("coreLevel") + 1);
 }
 
 TEST(LumenCase, robustEffortChangesMesherAndSolver) {
@@ -60,7 +92,7 @@ TEST(LumenCase, wrongScaleIsNamed) {
 TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
   const TemporaryFolder scratch;
   const auto file = scratch.path() / "lumen.stl";
-  writeLumenStl(tube(1e-3, 1e-3, 1), 0.2e-3, file);
+  writeLumenStl(tube(1e-3, 1e-3, 1), LumenEnds::cut, 0.2e-3, file);
   const auto plain = foamLog::read(file);
   EXPECT_TRUE(plain.starts_with("solid wall\n"));
   EXPECT_EQ(plain.find("strut"), std::string::npos);
@@ -70,8 +102,37 @@ TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
   EXPECT_EQ(facets, 3u * 256u);  // the tube and a rim at either end
   EXPECT_NE(plain.find(" -0.2\n"), std::string::npos);
   EXPECT_NE(plain.find(" 1.2\n"), std::string::npos);
-  writeLumenStl(stentedTube(1e-3, 1e-3, 1e-4), 0.2e-3, file);
+  writeLumenStl(stentedTube(1e-3, 1e-3, 1e-4), LumenEnds::cut, 0.2e-3, file);
   EXPECT_NE(foamLog::read(file).find("endsolid wall\nsolid strut\n"), std::string::npos);
+}
+
+TEST(LumenStl, endsThatAreNotCutAreSolids) {
+  const TemporaryFolder scratch;
+  const TriSurface bent = bentTube(1e-3, 1e-3, 2e-3, 1e-3);
+  writeLumenStl(bent, LumenEnds::caps, 0.2e-3, scratch / "caps.stl");
+  const auto caps = readStlSolids(scratch / "caps.stl", 1e-3);
+  EXPECT_EQ(caps.names, (std::vector<std::string>{"wall", "inlet", "outlet"}));
+  EXPECT_TRUE(surfaceEdges(caps.surface).open.empty());
+  writeLumenStl(bent, LumenEnds::inletCut, 0.2e-3, scratch / "inletCut.stl");
+  const auto inletCut = readStlSolids(scratch / "inletCut.stl", 1e-3);
+  EXPECT_EQ(inletCut.names, (std::vector<std::string>{"wall", "outlet"}));
+  EXPECT_TRUE(surfaceEdges(inletCut.surface).open.empty());
+  EXPECT_NEAR(enclosedVolume(inletCut.surface) - enclosedVolume(bent), 1e-6 * std::numbers::pi * 0.2e-3,
+              1e-14);
+}
+
+TEST(LumenStl, rimsOfCapsAreWritten) {
+  const TemporaryFolder scratch;
+  const TriSurface bent = bentTube(1e-3, 1e-3, 2e-3, 1e-3);
+  const auto lines = [&](LumenEnds ends) {
+    writeRims(bent, ends, scratch / "rims.obj");
+    const std::string text = foamLog::read(scratch / "rims.obj");
+    std::size_t count = 0;
+    for (auto at = text.find("\nl "); at != std::string::npos; at = text.find("\nl ", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(lines(LumenEnds::caps), 2u * 96u);
+  EXPECT_EQ(lines(LumenEnds::inletCut), 96u);
 }
 
 TEST(FoamTemplate, foreignFilesAreNotOverwritten) {

@@ -3,12 +3,21 @@
 namespace restenosis {
 
 void VesselParameters::describe(ParameterVisitor& p) {
+  // First: a surface has its own length and diameter
+  p.file(lumenSurface,
+         {.key = "lumenSurface",
+          .source = "none",
+          .description = "STL of the lumen to use instead of a cylinder, without tissue; length and "
+                         "lumenDiameter are then the surface's own unless given"});
+  p.choice(lumenSurfaceUnit, {"m", "mm", "um"},
+           {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
+  const bool cylinder = lumenSurface.empty();
   p.quantity(length, {.key = "length",
                       .unit = "mm",
                       .minimum = 0,
                       .maximum = 1000,
                       .minimumAllowed = false,
-                      .required = true,
+                      .required = cylinder,
                       .source = "T6",
                       .description = "length of the vessel"});
   p.quantity(lumenDiameter, {.key = "lumenDiameter",
@@ -16,7 +25,7 @@ void VesselParameters::describe(ParameterVisitor& p) {
                              .minimum = 0,
                              .maximum = 50,
                              .minimumAllowed = false,
-                             .required = true,
+                             .required = cylinder,
                              .source = "T6",
                              .description = "diameter of the lumen before stenting"});
   p.quantity(wallThickness, {.key = "wallThickness",
@@ -81,11 +90,6 @@ void VesselParameters::describe(ParameterVisitor& p) {
          {.key = "agents",
           .source = "none",
           .description = "CSV table of agents (x, y, z, radius in um; kind) to load instead of packing"});
-  p.file(lumenSurface, {.key = "lumenSurface",
-                        .source = "none",
-                        .description = "STL of the lumen to use instead of a cylinder"});
-  p.choice(lumenSurfaceUnit, {"m", "mm", "um"},
-           {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
 }
 
 }  // namespace restenosis

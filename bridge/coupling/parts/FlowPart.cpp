@@ -8,6 +8,7 @@ namespace restenosis {
 
 Verdict FlowPart::inputsChanged(const Instant&) const {
   if (world_.flow.solves == 0) return Verdict::run();
+  if (world_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
   const auto moved = displacement(world_.lumen.atLastFlow, world_.lumen.present);
   if (moved.robust > world_.scene.coupling.lumenTolerance) return Verdict::run();
   return Verdict::skip("lumen moved no more than lumenTolerance");
@@ -16,7 +17,7 @@ Verdict FlowPart::inputsChanged(const Instant&) const {
 void FlowPart::run(const Instant& now) {
   const TriSurface& lumen = world_.lumenSurface();
   const std::filesystem::path folder = world_.folder.flowCase(now.time);
-  {
+  if (!world_.hasLoadedLumen()) {
     auto measurement = world_.timer.measure("surface");
     const SurfaceReport report = checkSurface(lumen, world_.wall.length);
     if (!report.good())

@@ -75,6 +75,7 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
 }
 
 void RecordPart::measureLumen(TimeSeriesRow& row) const {
+  if (world_.hasLoadedLumen()) return;
   const LumenState& lumen = world_.lumen;
   const auto [from, to] = world_.measuredSection();
   row.minLumenArea = lumen.present.minimalArea(from, to);

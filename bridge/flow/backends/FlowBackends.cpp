@@ -14,8 +14,9 @@ const std::vector<FlowBackendEntry>& flowBackends() {
   static const std::vector<FlowBackendEntry> table = {
       {flowBackendNames::foam,
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
-         return std::make_unique<FoamBackend>(FoamSettings::forFidelity(options.fidelity),
-                                              FoamExecution{options.ranks, options.stopRequested});
+         return std::make_unique<FoamBackend>(
+             options.foam ? *options.foam : FoamSettings::forFidelity(options.fidelity),
+             FoamExecution{options.ranks, options.stopRequested});
        }},
       {flowBackendNames::lbm,
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "FlowBackend.h"
+#include "FoamSettings.h"
 #include "LbmSettings.h"
 
 namespace restenosis {
@@ -15,7 +16,8 @@ namespace restenosis {
 /// What a backend may need beside the surface and the conditions.
 struct FlowBackendOptions {
   std::string fidelity = "standard";                 ///< draft, standard or reference
-  std::optional<LbmSettings> lbm = std::nullopt;     ///< instead of those of the fidelity
+  std::optional<FoamSettings> foam = std::nullopt;   ///< instead of those of the fidelity
+  std::optional<LbmSettings> lbm = std::nullopt;     ///< the same
   bool keepVelocities = false;                       ///< for FlowBackend::velocities; costs memory
   int ranks = 1;                                     ///< processes that may work on one flow
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, a solve under way ends by FlowFailed

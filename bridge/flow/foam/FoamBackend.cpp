@@ -20,6 +20,8 @@ namespace {
 
 /// Cells by which the wall overshoots the planes of the ends.
 constexpr double overshootCells = 2.0;
+/// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
+constexpr double rimErrorRemark = 0.02;
 
 void writeText(const fs::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
@@ -80,7 +82,9 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
   DictionaryText parameters(foamLog::read(file));
   writeLumenParameters(parameters, lumen, conditions, settings_, effort, execution_.ranks);
   writeText(file, parameters.text());
-  writeLumenStl(surface, overshootCells * settings_.cellSize, folder / "constant/triSurface/lumen.stl");
+  const fs::path surfaces = folder / "constant/triSurface";
+  writeLumenStl(surface, lumen.ends, overshootCells * settings_.cellSize, surfaces / "lumen.stl");
+  if (lumen.ends != LumenEnds::cut) writeRims(surface, lumen.ends, surfaces / "rims.obj");
   writeText(folder / "case.foam", "");
 }
 
@@ -91,7 +95,14 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     FoamRun run(folder, lumen, conditions, settings_, execution_);
     run.mesh();
     run.solve();
-    return run.result();
+    FlowSolution solution = run.result();
+    const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
+    if (profiled && lumen.profile.rimError > rimErrorRemark)
+      solution.remarks.push_back(fmt::format(
+          "the inlet's velocity profile misses zero on its rim by {:.2g} % of that in the centre: "
+          "the inlet's shape is far from round",
+          100.0 * lumen.profile.rimError));
+    return solution;
   } catch (const FlowFailed&) {
     throw;
   } catch (const std::exception& error) {  // files that cannot be written or copied

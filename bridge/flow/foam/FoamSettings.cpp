@@ -58,6 +58,13 @@ void FoamSettings::describe(ParameterVisitor& p) {
                           .minimumAllowed = false,
                           .source = "assumed",
                           .description = "relaxation factor of U; the steady state depends on it a little"});
+  p.quantity(
+      nonOrthogonal,
+      {.key = "nonOrthogonal",
+       .minimum = 0,
+       .maximum = 1,
+       .source = "docs/results/flow.md",
+       .description = "share of the correction of gradients between cells that do not face each other"});
   p.quantity(volumeTolerance, {.key = "volumeTolerance",
                                .minimum = 0,
                                .maximum = 1,

@@ -10,7 +10,8 @@ namespace restenosis {
 /// How finely and how exactly the OpenFOAM backend works.
 struct FoamSettings {
   static constexpr std::string_view section = "foam";
-  static constexpr std::string_view summary = "Mesh and solver settings of the OpenFOAM backend";
+  static constexpr std::string_view summary =
+      "Mesh and solver settings of the OpenFOAM backend; cell sizes not given are those of scene.fidelity";
 
   double cellSize = 60e-6;                       ///< cell size in the core of the lumen [m]
   std::int64_t wallLevel = 1;                    ///< the cell size at the wall is cellSize / 2^level
@@ -19,6 +20,7 @@ struct FoamSettings {
   std::int64_t iterations = 400;                 ///< most iterations at a fixed flow rate
   std::int64_t pressureDrivenIterations = 4000;  ///< the same at a fixed pressure gradient
   double relaxation = 0.8;                       ///< of U
+  double nonOrthogonal = 1.0;                    ///< share of the non-orthogonal correction of gradients
   double volumeTolerance = 0.02;                 ///< mesh volume against the surface's volume
   std::int64_t skewFaces = 10;                   ///< most faces of a skewness above 4
   double skewness = 20;                          ///< largest skewness

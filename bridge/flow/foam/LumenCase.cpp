@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -23,6 +25,32 @@ double estimatedCells(const LumenCase& lumen, const FoamSettings& s) {
          rows(lumen.strutArea, s.strutLevel);
 }
 
+/// FoamSettings::nonOrthogonal of the second attempt (assumed).
+constexpr double robustNonOrthogonal = 0.5;
+
+/// Most cells of the background block; beyond, its cells are doubled and halved again inside the lumen.
+constexpr double blockCells = 1e6;
+
+/// How often the cells of the background block are doubled. A block that the planes of the ends cut is never
+/// much larger than the lumen.
+int blockLevel(const LumenCase& lumen, double size) {
+  if (lumen.ends == LumenEnds::cut) return 0;
+  const double cells = (lumen.high - lumen.low).prod() / (size * size * size);
+  return std::max(0, static_cast<int>(std::ceil(std::log2(cells / blockCells) / 3.0)));
+}
+
+LumenEnds endsOf(const TriSurface& lumen) {
+  if (liesAlongZ(lumen)) return LumenEnds::cut;
+  const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
+  const double slack = 1e-6 * std::sqrt(inlet.area);  // of round-off
+  const auto above = [&](const auto& triangle) {
+    return std::ranges::all_of(triangle,
+                               [&](auto v) { return lumen.vertices[v].z() >= inlet.centre.z() - slack; });
+  };
+  const bool begins = inlet.normal.z() < -1 + 1e-9 && std::ranges::all_of(lumen.triangles, above);
+  return begins ? LumenEnds::inletCut : LumenEnds::caps;
+}
+
 /// Cells of the background block from the middle of the lumen to either side, one beyond it.
 long halfCells(double low, double high, double size) {
   return static_cast<long>(std::ceil(0.5 * (high - low) / size)) + 1;
@@ -30,11 +58,18 @@ long halfCells(double low, double high, double size) {
 
 }  // namespace
 
+double LumenCase::length() const {
+  if (ends == LumenEnds::cut) return outlet.centre.z() - inlet.centre.z();
+  return volume / (0.5 * (inlet.area + outlet.area));
+}
+
 LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
-  requireLumen(lumen);
+  requireLumenWithPlanarEnds(lumen);
   LumenCase result;
-  result.inlet = lumenEnd(lumen, SurfaceRegion::inlet);
-  result.outlet = lumenEnd(lumen, SurfaceRegion::outlet);
+  result.inlet = endPlane(lumen, SurfaceRegion::inlet);
+  result.outlet = endPlane(lumen, SurfaceRegion::outlet);
+  result.profile = developedProfile(lumen);
+  result.ends = endsOf(lumen);
   result.volume = enclosedVolume(lumen);
   result.low = result.high = lumen.vertices[lumen.triangles.front()[0]];
   for (const auto& t : lumen.triangles)
@@ -72,37 +107,57 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
   parameters.set("flowRate", conditions.flowRate * std::pow(perMetre, 3));
   parameters.set("pressureDrop",
                  conditions.pressureGradient * lumen.length() / conditions.density * perMetre * perMetre);
-  length("inletX", lumen.inlet.centre.x());
-  length("inletY", lumen.inlet.centre.y());
-  length("inletRadius", std::sqrt(lumen.inlet.area / std::numbers::pi));
-  length("inletZ", lumen.inlet.z);
-  length("outletZ", lumen.outlet.z);
+  const InletProfile& profile = lumen.profile;
+  const auto direction = [&](std::string_view key, const Vec3& v) {
+    parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
+  };
+  direction("inletCentre", profile.centre * perMetre);
+  direction("inletDirection", profile.direction);
+  direction("inletXAxis", profile.xAxis);
+  direction("inletYAxis", profile.yAxis);
+  length("inletRadius", profile.radius);
+  parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
 
-  const double size = settings.cellSize;
+  const bool inletCut = lumen.ends != LumenEnds::caps;
+  parameters.set("ends", lumen.ends == LumenEnds::cut ? "cut" : inletCut ? "inletCut" : "caps");
+  const int level = blockLevel(lumen, settings.cellSize);
+  const double size = settings.cellSize * std::exp2(level);
   const Vec3 middle = 0.5 * (lumen.low + lumen.high);
-  const long halfX = halfCells(lumen.low.x(), lumen.high.x(), size);
-  const long halfY = halfCells(lumen.low.y(), lumen.high.y(), size);
-  length("xMin", middle.x() - size * static_cast<double>(halfX));
-  length("xMax", middle.x() + size * static_cast<double>(halfX));
-  length("yMin", middle.y() - size * static_cast<double>(halfY));
-  length("yMax", middle.y() + size * static_cast<double>(halfY));
-  parameters.set("cellsX", std::to_string(2 * halfX));
-  parameters.set("cellsY", std::to_string(2 * halfY));
-  parameters.set("cellsZ", std::to_string(std::max(1L, std::lround(lumen.length() / size))));
+  for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
+    if (axis == 2 && inletCut) {
+      const double low = lumen.inlet.centre.z();
+      const bool both = lumen.ends == LumenEnds::cut;
+      const long cells = both ? std::max(1L, std::lround(lumen.length() / size))
+                              : static_cast<long>(std::ceil((lumen.high.z() - low) / size)) + 1;
+      length("zMin", low);
+      length("zMax", both ? lumen.outlet.centre.z() : low + size * static_cast<double>(cells));
+      parameters.set("cellsZ", std::to_string(cells));
+      continue;
+    }
+    const long half = halfCells(lumen.low[axis], lumen.high[axis], size);
+    length(fmt::format("{}Min", name), middle[axis] - size * static_cast<double>(half));
+    length(fmt::format("{}Max", name), middle[axis] + size * static_cast<double>(half));
+    parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name[0]))),
+                   std::to_string(2 * half));
+  }
 
   // Just inside the inlet, at a fraction of a cell that refinement never makes a face
-  const Vec3 inside = (lumen.inlet.centre + size * Vec3(0.131, 0.173, 0.371)) * perMetre;
+  const Vec3 inside = (profile.centre + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
+                                                             0.371 * profile.direction)) *
+                      perMetre;
   parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
 
   const bool robust = effort == Effort::robust;
   parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
-  parameters.set("wallLevel", std::to_string(settings.wallLevel));
-  parameters.set("strutLevel", std::to_string(settings.strutLevel));
+  parameters.set("coreLevel", std::to_string(level));
+  parameters.set("wallLevel", std::to_string(level + settings.wallLevel));
+  parameters.set("strutLevel", std::to_string(level + settings.strutLevel));
   parameters.set("meshing", robust ? "thorough" : "quick");
   const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
   parameters.set("iterations", std::to_string(robust ? 2 * iterations : iterations));
   parameters.set("tolerance", settings.tolerance);
   parameters.set("ranks", std::to_string(ranks));
+  parameters.set("nonOrthogonal", robust ? robustNonOrthogonal : settings.nonOrthogonal);
   parameters.set("relaxation", robust ? 0.75 * settings.relaxation : settings.relaxation);
 }
 

@@ -3,23 +3,34 @@
 #include "DictionaryText.h"
 #include "FlowBackend.h"
 #include "FoamSettings.h"
+#include "InletProfile.h"
 #include "LumenShape.h"
 
 namespace restenosis {
 
+/// Which ends the mesher cuts in planes of constant z; the others are caps of its surface.
+enum class LumenEnds {
+  cut,       ///< both: the lumen lies along z
+  inletCut,  ///< the inlet: the lumen begins along z, and none of it lies below the inlet
+  caps       ///< neither
+};
+
 /// The lumen as the OpenFOAM case needs it, in SI units.
 struct LumenCase {
-  LumenEnd inlet, outlet;
+  EndPlane inlet, outlet;
+  InletProfile profile;
+  LumenEnds ends = LumenEnds::cut;
   Vec3 low, high;       ///< bounding box
   double volume = 0.0;  ///< enclosed by the surface [m^3]
   double wallArea = 0.0, strutArea = 0.0;
   bool hasStruts() const { return strutArea > 0.0; }
-  double length() const { return outlet.z - inlet.z; }
+  /// From end to end [m]; where they are not both cut, its volume over the mean area of its ends.
+  double length() const;
 };
 
-/// Measures a lumen. Throws std::invalid_argument where the surface cannot be meshed (see requireLumen), or
-/// where its size does not go with the cell sizes: too few cells across the inlet or too many in all, as
-/// after a mistaken unit.
+/// Measures a lumen. Throws std::invalid_argument where the surface cannot be meshed (see
+/// requireLumenWithPlanarEnds), or where its size does not go with the cell sizes: too few cells across the
+/// inlet or too many in all, as after a mistaken unit.
 LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings);
 
 /// How hard the mesher and the solver try.

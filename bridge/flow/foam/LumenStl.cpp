@@ -6,6 +6,9 @@
 #include <iterator>
 #include <stdexcept>
 #include <unordered_map>
+#include <unordered_set>
+
+#include "StlFile.h"
 
 namespace restenosis {
 namespace {
@@ -23,28 +26,77 @@ void facet(fmt::memory_buffer& out, const Vec3& a, const Vec3& b, const Vec3& c)
   fmt::format_to(it, "endloop\nendfacet\n");
 }
 
+bool isEnd(SurfaceRegion region) { return region == SurfaceRegion::inlet || region == SurfaceRegion::outlet; }
+
+bool isCut(SurfaceRegion region, LumenEnds ends) {
+  if (ends == LumenEnds::inletCut) return region == SurfaceRegion::inlet;
+  return ends == LumenEnds::cut && isEnd(region);
+}
+
+bool isCap(SurfaceRegion region, LumenEnds ends) { return isEnd(region) && !isCut(region, ends); }
+
+void save(const fmt::memory_buffer& text, const std::filesystem::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
 }  // namespace
 
-void writeLumenStl(const TriSurface& lumen, double overshoot, const std::filesystem::path& file) {
-  // Directed edges of the ends: a wall edge that runs against one of them is a rim
+void writeRims(const TriSurface& lumen, LumenEnds ends, const std::filesystem::path& file) {
+  const auto ofEnd = [&](std::size_t t) { return isCap(lumen.region[t], ends); };
+  std::unordered_set<std::uint64_t> sides;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    const auto& t = lumen.triangles[i];
+    for (int k = 0; k < 3 && !ofEnd(i); ++k) sides.insert(key(t[k], t[(k + 1) % 3]));
+  }
+  fmt::memory_buffer out;
+  auto it = std::back_inserter(out);
+  for (const Vec3& v : lumen.vertices)
+    fmt::format_to(it, "v {:.9g} {:.9g} {:.9g}\n", v.x() / millimetre, v.y() / millimetre,
+                   v.z() / millimetre);
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    const auto& t = lumen.triangles[i];
+    for (int k = 0; k < 3 && ofEnd(i); ++k)
+      if (sides.contains(key(t[(k + 1) % 3], t[k])))
+        fmt::format_to(it, "l {} {}\n", t[k] + 1, t[(k + 1) % 3] + 1);
+  }
+  save(out, file);
+}
+
+void writeLumenStl(const TriSurface& lumen, LumenEnds ends, double overshoot,
+                   const std::filesystem::path& file) {
+  const auto beyond = [&](SurfaceRegion end) -> Vec3 {
+    return Vec3::UnitZ() * (end == SurfaceRegion::inlet ? -overshoot : overshoot);
+  };
+  // Directed edges of the ends that are cut: a wall edge that runs against one of them is a rim
   std::unordered_map<std::uint64_t, Vec3> rim;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
-    if (lumen.region[i] != SurfaceRegion::inlet && lumen.region[i] != SurfaceRegion::outlet) continue;
-    const Vec3 beyond = Vec3::UnitZ() * (lumen.region[i] == SurfaceRegion::inlet ? -overshoot : overshoot);
+    if (!isCut(lumen.region[i], ends)) continue;
     const auto& t = lumen.triangles[i];
-    for (int k = 0; k < 3; ++k) rim.emplace(key(t[k], t[(k + 1) % 3]), beyond);
+    for (int k = 0; k < 3; ++k) rim.emplace(key(t[k], t[(k + 1) % 3]), beyond(lumen.region[i]));
   }
 
   fmt::memory_buffer out;
-  for (const auto& [region, name] :
-       {std::pair{SurfaceRegion::wall, "wall"}, {SurfaceRegion::strut, "strut"}}) {
+  for (const SurfaceRegion region :
+       {SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet, SurfaceRegion::outlet}) {
+    if (isCut(region, ends)) continue;
     bool begun = false;
     for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
-      if (lumen.region[i] != region) continue;
-      if (!begun) fmt::format_to(std::back_inserter(out), "solid {}\n", name);
-      begun = true;
       const auto& t = lumen.triangles[i];
       const auto vertex = [&](int k) -> const Vec3& { return lumen.vertices[t[k % 3]]; };
+      // The lid behind an inlet that alone is cut belongs to the wall
+      const bool lid = region == SurfaceRegion::wall && ends == LumenEnds::inletCut &&
+                       lumen.region[i] == SurfaceRegion::inlet;
+      if (lumen.region[i] != region && !lid) continue;
+      if (!begun) fmt::format_to(std::back_inserter(out), "solid {}\n", regionName(region));
+      begun = true;
+      if (lid) {
+        const Vec3 shift = beyond(SurfaceRegion::inlet);
+        facet(out, vertex(0) + shift, vertex(1) + shift, vertex(2) + shift);
+        continue;
+      }
       facet(out, vertex(0), vertex(1), vertex(2));
       for (int k = 0; k < 3; ++k) {
         const auto end = rim.find(key(t[(k + 1) % 3], t[k]));
@@ -54,12 +106,9 @@ void writeLumenStl(const TriSurface& lumen, double overshoot, const std::filesys
         facet(out, b, aBeyond, bBeyond);
       }
     }
-    if (begun) fmt::format_to(std::back_inserter(out), "endsolid {}\n", name);
+    if (begun) fmt::format_to(std::back_inserter(out), "endsolid {}\n", regionName(region));
   }
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(out.data(), static_cast<std::streamsize>(out.size()));
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  save(out, file);
 }
 
 }  // namespace restenosis

@@ -1,0 +1,29 @@
+#include "PoiseuilleError.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace restenosis {
+
+PoiseuilleError poiseuilleError(std::span<const WallFace> faces, double diameter, double length,
+                                const FlowConditions& conditions) {
+  PoiseuilleError error;
+  const double radius = 0.5 * diameter;
+  error.exact = 4.0 * conditions.dynamicViscosity() * conditions.flowRate /
+                (std::numbers::pi * radius * radius * radius);
+  double area = 0.0, sum = 0.0, squares = 0.0;
+  for (const WallFace& face : faces) {
+    const double z = face.centre.z();
+    if (z < PoiseuilleError::endMargin || z > length - PoiseuilleError::endMargin) continue;
+    const double relative = face.traction.norm() / error.exact - 1.0;
+    area += face.area;
+    sum += face.area * relative;
+    squares += face.area * relative * relative;
+    error.largest = std::max(error.largest, std::abs(relative));
+  }
+  if (area > 0.0) error.mean = sum / area, error.l2 = std::sqrt(squares / area);
+  return error;
+}
+
+}  // namespace restenosis

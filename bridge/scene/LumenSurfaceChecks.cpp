@@ -1,0 +1,82 @@
+#include "LumenSurfaceChecks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "FlowBackendNames.h"
+#include "LoadedLumen.h"
+#include "LumenFrame.h"
+#include "LumenShape.h"
+
+namespace restenosis {
+namespace {
+
+/// How many times larger or smaller than `lumenDiameter` an inlet may be (assumed): a mistaken unit is 1000.
+constexpr double plausibleRatio = 3.0;
+
+void blame(std::string_view section, std::string_view key, const std::string& message,
+           const SceneDocument& document, SceneFindings& findings) {
+  findings.add(document.placeOf(section, key), fmt::format("'{}' in [{}]: {}", key, section, message));
+  findings.unreliable.insert(fmt::format("{}.{}", section, key));
+}
+
+bool gives(const SceneDocument& document, const std::string& key) {
+  const GivenSection* vessel = document.find(VesselParameters::section);
+  return vessel != nullptr && vessel->values.contains(key);
+}
+
+std::string endsOf(const TriSurface& lumen) {
+  const double cosine = std::clamp(
+      -endPlane(lumen, SurfaceRegion::inlet).normal.dot(endPlane(lumen, SurfaceRegion::outlet).normal), -1.0,
+      1.0);
+  const double degrees = std::acos(cosine) * 180 / std::numbers::pi;
+  if (degrees > 0.1) return fmt::format("its ends are {:.3g} degrees from parallel", degrees);
+  return "part of it lies beyond the planes of its ends";
+}
+
+}  // namespace
+
+void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
+                      SceneFindings& findings) {
+  VesselParameters& vessel = scene.vessel;
+  if (vessel.lumenSurface.empty() || findings.unreliable.contains("vessel.lumenSurface") ||
+      findings.unreliable.contains("vessel.lumenSurfaceUnit"))
+    return;
+  const auto blameVessel = [&](std::string_view key, const std::string& message) {
+    blame(VesselParameters::section, key, message, document, findings);
+  };
+  TriSurface lumen;
+  try {
+    lumen = loadLumen(vessel);
+    requireLumenWithPlanarEnds(lumen);
+  } catch (const std::exception& error) {
+    return blameVessel("lumenSurface", error.what());
+  }
+
+  const double diameter = endDiameter(lumen, SurfaceRegion::inlet);
+  if (!gives(document, "lumenDiameter")) vessel.lumenDiameter = diameter;
+  const double ratio = diameter / vessel.lumenDiameter;
+  if (ratio > plausibleRatio || ratio < 1.0 / plausibleRatio)
+    blameVessel(
+        "lumenSurfaceUnit",
+        fmt::format("in {} the inlet of the surface is {:.4g} mm wide, but 'lumenDiameter' is {:.4g} mm",
+                    vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
+                    units.fromSi(vessel.lumenDiameter, "mm")));
+  if (!gives(document, "length"))
+    vessel.length =
+        (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre).norm();
+
+  const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
+                        scene.flow->backend == flowBackendNames::none;
+  if (!anyShape && !frameAlongZ(lumen))
+    blame(
+        FlowParameters::section, "backend",
+        fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",
+                    scene.flow->backend, endsOf(lumen)),
+        document, findings);
+}
+
+}  // namespace restenosis

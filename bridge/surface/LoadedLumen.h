@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "TriSurface.h"
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+/// Reads a lumen that a user has brought as an STL file, binary or ASCII, in units of `metresPerUnit` [m],
+/// and makes it a surface that flow can be solved in: closed, normals outwards, planar ends with the regions
+/// inlet and outlet (docs/model/lumen.md).
+///
+/// Nothing need be named. Ends are planar caps whose whole rim is a sharp convex edge, or open planar rims,
+/// which are capped; there must be two. Solids of an ASCII file whose names contain "inlet", "outlet" and
+/// "strut" or "stent" say what they are. Without such names the inlet is the end with the lower coordinate
+/// along the axis (x, y or z) on which the ends' centres differ most.
+///
+/// Throws std::runtime_error, saying what is wrong and what was found instead, where the file cannot be read
+/// or is no such lumen.
+TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit);
+
+/// The same for the surface that a vessel names, in the unit that it names.
+TriSurface loadLumen(const VesselParameters& vessel);
+
+/// Diameter of the circle with the area of this end [m].
+double endDiameter(const TriSurface& lumen, SurfaceRegion end);
+
+}  // namespace restenosis

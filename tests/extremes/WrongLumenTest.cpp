@@ -1,0 +1,98 @@
+// A lumen from a file that cannot be used: exit 2 and one message, before anything is written.
+#include <limits>
+
+#include "FlowSupport.h"
+#include "StlFile.h"
+#include "SweptTube.h"
+#include "TubeSurface.h"
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+constexpr std::string_view loadedScene = R"([scene]
+duration = "1 h"
+step = "1 h"
+
+[vessel]
+lumenSurface = "lumen.stl"
+lumenSurfaceUnit = "mm"
+
+[flow]
+backend = "foam"
+)";
+
+class WrongLumen : public WholeProgram {
+ protected:
+  void write(const TriSurface& surface) const { writeStl(folder / "lumen.stl", surface, 1e-3); }
+  void expectRefused(std::string_view text, const std::vector<std::string>& says,
+                     std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {"run", scene("loaded", text), "-o", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessEnd end = run(arguments);
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_EQ(std::ranges::count(end.err, '\n'), 1) << end.err;
+    for (const auto& part : says) EXPECT_NE(end.err.find(part), std::string::npos) << part << '\n' << end.err;
+    EXPECT_FALSE(exists("out"));
+  }
+  const TriSurface good = tube(vesselRadius, vesselLength);
+};
+
+TEST_F(WrongLumen, MissingFile) {
+  expectRefused(loadedScene, {"loaded.toml:6: ", "lumen.stl does not exist"});
+}
+
+TEST_F(WrongLumen, Hole) {
+  TriSurface hole = good;
+  hole.triangles.erase(hole.triangles.begin() + 600), hole.region.pop_back();
+  write(hole);
+  expectRefused(loadedScene, {"loaded.toml:6: ", "two planar ends", "3 were found (1 of them open)"});
+}
+
+TEST_F(WrongLumen, OneEndOnly) {
+  TriSurface blind = good;
+  for (Vec3& v : blind.vertices)
+    if (v.head<2>().norm() < 1e-9 && v.z() > 0) v.z() += 2e-3;
+  write(blind);
+  expectRefused(loadedScene, {"loaded.toml:6: ", "two planar ends", "1 was found"});
+}
+
+TEST_F(WrongLumen, WrongUnit) {
+  write(good);
+  expectRefused(with(loadedScene, "\"mm\"", "\"m\""), {"loaded.toml:6: ", "1800 mm wide", "length unit"});
+  expectRefused(with(loadedScene, "\"mm\"", "\"um\"\nlumenDiameter = \"1.8 mm\""), {"length unit"});
+  const std::string tenfold = with(loadedScene, "\"mm\"", "\"mm\"\nlumenDiameter = \"18 mm\"");
+  expectRefused(tenfold, {"loaded.toml:7: 'lumenSurfaceUnit' in [vessel]", "1.8 mm wide"});
+}
+
+TEST_F(WrongLumen, NotANumber) {
+  TriSurface broken = good;
+  broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
+  write(broken);
+  expectRefused(loadedScene, {"loaded.toml:6: ", "not a finite number"});
+}
+
+TEST_F(WrongLumen, BentForABackendThatNeedsStraight) {
+  write(bentTube(vesselRadius, 1e-3, 2e-3, 1e-3));
+  expectRefused(loadedScene, {"'backend' in [flow]", "90 degrees from parallel", "choose foam"},
+                {"--flow", "lbm"});
+}
+
+TEST_F(WrongLumen, NotWithTissueNorStenosis) {
+  write(good);
+  expectRefused(std::string(loadedScene) + "[mechanics]\n", {"without tissue"});
+  expectRefused(with(loadedScene, "\"mm\"", "\"mm\"\nstenosis = 0.5"), {"'stenosis' shapes a cylinder"});
+}
+
+TEST_F(WrongLumen, AGoodOneRuns) {
+  write(moved(good, motionTo(Vec3(1, 2, 3), Vec3(5e-3, 0, 0))));
+  const ProcessEnd end = run({"run", scene("loaded", loadedScene), "-o", "out", "--flow", "analytic"});
+  ASSERT_EXIT_STATUS(end, 0);
+  EXPECT_NEAR(summary("out")["final"]["wssMean_Pa"], vesselStress(), 0.01 * vesselStress());
+  EXPECT_TRUE(exists("out/lumen.pvd"));
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "InletProfile.h"
+#include "SweptTube.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+constexpr double radius = 0.9e-3;
+
+TEST(InletProfile, ACircleGivesTheParaboloid) {
+  const auto profile = developedProfile(tube(radius, 1e-3));
+  EXPECT_NEAR(profile.radius, radius, 1e-9);
+  EXPECT_NEAR(profile.constant, 1.0, 1e-3);
+  EXPECT_LT(profile.rimError, 1e-3);  // the rim is a polygon
+  for (const double r : {0.0, 0.3, 0.7}) EXPECT_NEAR(profile(r, 0.0), 1 - r * r, 1e-3);
+  EXPECT_TRUE(profile.xAxis.isApprox(Vec3::UnitX()));
+  EXPECT_TRUE(profile.direction.isApprox(Vec3::UnitZ()));
+}
+
+TEST(InletProfile, AnEllipseIsMetExactly) {
+  TriSurface ellipse = tube(radius, 1e-3);
+  constexpr double a = 1.3, b = 0.6;  // semi-axes over the radius
+  for (Vec3& v : ellipse.vertices) v.x() *= a, v.y() *= b;
+  const auto profile = developedProfile(ellipse);
+  // Of Laplacian -4, zero where (x/a)^2 + (y/b)^2 = 1; in units of the equal-area circle's radius
+  const double unit = std::sqrt(a * b), p = a / unit, q = b / unit;
+  const double peak = 2 * p * p * q * q / (p * p + q * q);
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.5, 0.0}, {0.3, 0.4}, {-0.7, 0.2}})
+    EXPECT_NEAR(profile(x, y), peak * (1 - x * x / (p * p) - y * y / (q * q)), 2e-3);
+  EXPECT_LT(profile.rimError, 2e-3);
+}
+
+TEST(InletProfile, AShapeFarFromRoundIsKnownByItsRim) {
+  TriSurface star = tube(radius, 1e-3);
+  for (Vec3& v : star.vertices) {
+    const double factor = 1 + 0.5 * std::cos(5 * std::atan2(v.y(), v.x()));
+    v.head<2>() *= factor;
+  }
+  EXPECT_GT(developedProfile(star).rimError, 0.02);
+}
+
+TEST(InletProfile, FollowsTheInletInAnyDirection) {
+  const auto motion = motionTo(Vec3(1, 2, 3), Vec3(1e-3, 0, 0));
+  const auto profile = developedProfile(moved(tube(radius, 1e-3), motion));
+  EXPECT_TRUE(profile.direction.isApprox(Vec3(1, 2, 3).normalized()));
+  EXPECT_NEAR((profile.centre - Vec3(1e-3, 0, 0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(profile.xAxis.cross(profile.yAxis).dot(profile.direction), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace restenosis

@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "FlowSupport.h"
+#include "PoiseuilleError.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+TEST(PoiseuilleError, WeighsByAreaAndLeavesTheEndsOut) {
+  const double exact = vesselStress();
+  const std::vector<WallFace> faces = {
+      {Vec3(0, 0, 0.6e-3), 3e-9, Vec3(0, 0, 1.02 * exact), SurfaceRegion::wall},
+      {Vec3(0, 0, 0.7e-3), 1e-9, Vec3(0, 0, 0.98 * exact), SurfaceRegion::wall},
+      {Vec3(0, 0, 0.05e-3), 9e-9, Vec3(0, 0, 5 * exact), SurfaceRegion::wall},
+      {Vec3(0, 0, 1.15e-3), 9e-9, Vec3(0, 0, 5 * exact), SurfaceRegion::wall}};
+  const auto error = poiseuilleError(faces, 2 * vesselRadius, vesselLength, vesselConditions());
+  EXPECT_NEAR(error.exact, exact, 1e-12);
+  EXPECT_NEAR(error.mean, 0.01, 1e-12);
+  EXPECT_NEAR(error.l2, 0.02, 1e-12);
+  EXPECT_NEAR(error.largest, 0.02, 1e-12);
+}
+
+}  // namespace
+}  // namespace restenosis
