@@ -79,7 +79,7 @@ TEST(FoamBackendFaults, leakingMeshIsFound) {
   DictionaryText parameters(foamLog::read(folder / "system/lumenParameters"));
   writeLumenParameters(parameters, lumen, conditions, settings, Effort::normal, 1);
   std::ofstream(folder / "system/lumenParameters") << parameters.text();
-  writeLumenStl(leaking, 0.2e-3, folder / "constant/triSurface/lumen.stl");
+  writeLumenStl(leaking, LumenEnds::cut, 0.2e-3, folder / "constant/triSurface/lumen.stl");
   try {
     FoamRun(folder, lumen, conditions, settings, {}).mesh();
     FAIL();
