@@ -59,11 +59,12 @@ TEST(LumenCase, aBentLumenIsMeshedWithItsCaps) {
 
 TEST(LumenCase, aLongLumenGetsACoarserBlock) {
   const auto settings = FoamSettings::forFidelity("draft");
-  const auto lumen = measureLumen(bentTube(vesselRadius, 10e-3, 2e-3, 10e-3), settings);
+  const auto lumen = measureLumen(bentTube(vesselRadius, 30e-3, 2e-3, 30e-3), settings);
   auto text = templateParameters();
   writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
   const auto number = [&](const char* key) { return std::stod(text.get(key)); };
   EXPECT_LE(number("cellsX") * number("cellsY") * number("cellsZ"), 1.5e6);
+  EXPECT_EQ(number("coreLevel"), 1);
   const double block = (number("xMax") - number("xMin")) / number("cellsX");
   EXPECT_NEAR(block / std::exp2(number("coreLevel")), 0.09, 1e-12);
   EXPECT_EQ(number("wallLevel"), number("coreLevel") + 1);
