@@ -66,7 +66,7 @@ TEST_F(SceneReaderTest, NamesUnknownKeysAndTheNearest) {
   ASSERT_EQ(found.size(), 1u);  // not a second time as missing
   EXPECT_EQ(
       toString(found[0]).rfind("scenes/x.toml:4: unknown key 'lenght' in [vessel]; did you mean 'length'? "
-                               "Allowed: length, lumenDiameter, wallThickness",
+                               "Allowed: lumenSurface, lumenSurfaceUnit, length, lumenDiameter",
                                0),
       0u)
       << toString(found[0]);
