@@ -122,7 +122,7 @@ TEST_F(Resume, RefusesACheckpointThatIsDamagedOrOfAnotherScene) {
   writeText(file, intact);
   expectRefused({"--set", "scene.seed=2"}, "another scene");
   expectRefused({"--set", "vessel.length=0.3 mm"}, "another scene");
-  expectRefused({"--set", "scene.duration=3 h"}, "past scene.duration = 0.125 d");
+  expectRefused({"--set", "scene.duration=2 h"}, "past scene.duration = 0.08333 d");
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
 }
 
