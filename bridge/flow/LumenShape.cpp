@@ -141,15 +141,6 @@ bool liesAlongZ(const TriSurface& lumen) {
   return low < high;
 }
 
-double enclosedVolume(const TriSurface& lumen) {
-  // Divergence theorem about the first vertex, which keeps the cancellation small far from the origin
-  const Vec3 origin = lumen.vertices.front();
-  double volume = 0.0;
-  for (std::size_t i = 0; i < lumen.triangles.size(); ++i)
-    volume += (lumen.vertices[lumen.triangles[i][0]] - origin).dot(lumen.areaVector(i)) / 3.0;
-  return volume;
-}
-
 std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations) {
   std::vector<double> areas(stations.size(), 0.0);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {

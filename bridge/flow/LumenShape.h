@@ -41,9 +41,6 @@ void requireLumenWithPlanarEnds(const TriSurface& lumen);
 /// it lies between them.
 bool liesAlongZ(const TriSurface& lumen);
 
-/// Volume enclosed by a closed surface with outward normals [m^3].
-double enclosedVolume(const TriSurface& lumen);
-
 /// Area of the lumen [m^2] in each plane z = stations[i] [m]: the signed area of the contour in which the
 /// plane cuts the surface, so islands count negative.
 std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations);

@@ -37,6 +37,19 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                               .maximum = 1000,
                               .source = "assumed",
                               .description = "movement of the lumen below which the last flow still holds"});
+  p.quantity(undecidedMargin,
+             {.key = "undecidedMargin",
+              .minimum = 0,
+              .maximum = 1000,
+              .source = "docs/results/coupling.md",
+              .description = "a covered cell below this times the arresting stress may decide otherwise "
+                             "when the flow changes"});
+  p.quantity(undecidedShare, {.key = "undecidedShare",
+                              .minimum = 0,
+                              .maximum = 1,
+                              .source = "docs/results/coupling.md",
+                              .description = "share of these cells at which the lumen may have moved by more "
+                                             "than lumenTolerance"});
   p.quantity(surfaceSmoothing, {.key = "surfaceSmoothing",
                                 .unit = "um",
                                 .minimum = 0,

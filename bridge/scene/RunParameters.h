@@ -28,6 +28,8 @@ struct CouplingParameters {
 
   std::string schedule = "onChange";
   double lumenTolerance = 5e-6;      ///< [m]
+  double undecidedMargin = 2.5;      ///< undecided is a cell below this times the arresting stress
+  double undecidedShare = 0.03;      ///< of these cells, where the lumen may have moved further
   double surfaceSmoothing = 30e-6;   ///< cell scale at which the lumen surface is smoothed [m]
   double surfaceResolution = 15e-6;  ///< spacing of the distance field [m]
   std::string remesh = "always";

@@ -67,14 +67,6 @@ std::size_t orient(TriSurface& s) {
   return pieces;
 }
 
-double volume(const TriSurface& s) {
-  const Vec3 origin = s.vertices.front();
-  double sum = 0.0;
-  for (std::size_t t = 0; t < s.triangles.size(); ++t)
-    sum += (s.vertices[s.triangles[t][0]] - origin).dot(s.areaVector(t)) / 3.0;
-  return sum;
-}
-
 /// One end: its triangles, and which it is where a solid's name says so.
 struct End {
   std::vector<std::uint32_t> triangles;
@@ -228,7 +220,7 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
   }
   for (const auto& rim : rims) ends.push_back(closeRim(s, rim));
   if (surfaceEdges(s).opposed > 0) refuse("it has only one side, like a Moebius strip");
-  if (volume(s) < 0.0)
+  if (enclosedVolume(s) < 0.0)
     for (auto& t : s.triangles) std::swap(t[1], t[2]);
 
   ends = findEnds(s, std::move(ends), rims.size());

@@ -58,6 +58,20 @@ RadialMap::RadialMap(const LumenField& field, int angles) : angles_(angles) {
 
 double RadialMap::angle(int index) const { return 2 * std::numbers::pi * index / angles_; }
 
+double RadialMap::radiusAt(const Vec3& point) const {
+  const auto above = std::ranges::upper_bound(z_, point.z());
+  const int upper = std::clamp(static_cast<int>(above - z_.begin()), 1, planes() - 1), lower = upper - 1;
+  const double along = std::clamp((point.z() - z_[lower]) / (z_[upper] - z_[lower]), 0.0, 1.0);
+  const double turn = std::atan2(point.y(), point.x()) / (2 * std::numbers::pi);
+  const double ray = (turn < 0 ? turn + 1 : turn) * angles_;
+  const int left = static_cast<int>(ray) % angles_, right = (left + 1) % angles_;
+  const double around = ray - std::floor(ray);
+  const auto inPlane = [&](int plane) {
+    return std::lerp(radius(plane, left), radius(plane, right), around);
+  };
+  return std::lerp(inPlane(lower), inPlane(upper), along);
+}
+
 double RadialMap::planeWeight(int plane) const {
   const int last = planes() - 1;
   return 0.5 * (z_[std::min(plane + 1, last)] - z_[std::max(plane - 1, 0)]);

@@ -30,4 +30,14 @@ struct TriSurface {
   }
 };
 
+/// Volume enclosed by a closed surface with outward normals [m^3]: the divergence theorem about the first
+/// vertex, which keeps the cancellation small far from the origin.
+inline double enclosedVolume(const TriSurface& surface) {
+  const Vec3 origin = surface.vertices.front();
+  double volume = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    volume += (surface.vertices[surface.triangles[t][0]] - origin).dot(surface.areaVector(t)) / 3.0;
+  return volume;
+}
+
 }  // namespace restenosis

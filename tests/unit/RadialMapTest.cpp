@@ -49,6 +49,21 @@ TEST(RadialMap, RaysThatStartInTissueHaveNoLength) {
   EXPECT_GT(map.radius(0, 0), 3.9);
 }
 
+TEST(RadialMap, RadiusAtAPointIsThatOfItsPlaneAndAngle) {
+  const auto radius = [](double z, double angle) { return 3 + z / 10 + 0.5 * std::cos(angle); };
+  const RadialMap map(LumenField::fromFunction(
+      [&](const Vec3& p) { return radius(p.z(), std::atan2(p.y(), p.x())) - std::hypot(p.x(), p.y()); }, 10,
+      6, 0.25));
+  for (const double angle : {0.0, 0.0123, 1.5, 3.14, 3.9, 6.2829}) {
+    const Vec3 direction(std::cos(angle), std::sin(angle), 0);
+    for (const double z : {0.0, 0.1, 4.33, 9.9, 10.0})
+      EXPECT_NEAR(map.radiusAt(2 * direction + z * Vec3::UnitZ()), radius(z, angle), 0.01)
+          << angle << ' ' << z;
+    EXPECT_NEAR(map.radiusAt(direction - Vec3::UnitZ()), radius(0, angle), 0.01);
+    EXPECT_NEAR(map.radiusAt(direction + 12 * Vec3::UnitZ()), radius(10, angle), 0.01);
+  }
+}
+
 TEST(RadialMap, DisplacementSeesUniformGrowthAndDiscountsASpot) {
   const RadialMap wide(cylinder(4)), narrow(cylinder(3.5)), spot(cylinder(4, 1));
   const LumenDisplacement all = displacement(wide, narrow), one = displacement(wide, spot);

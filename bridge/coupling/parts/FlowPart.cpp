@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "StressReaders.h"
 #include "SurfaceCheck.h"
 
 namespace restenosis {
@@ -11,7 +15,21 @@ Verdict FlowPart::inputsChanged(const Instant&) const {
   if (world_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
   const auto moved = displacement(world_.lumen.atLastFlow, world_.lumen.present);
   if (moved.robust > world_.scene.coupling.lumenTolerance) return Verdict::run();
+  if (undecidedShareMoved() > world_.scene.coupling.undecidedShare) return Verdict::run();
   return Verdict::skip("lumen moved no more than lumenTolerance");
+}
+
+double FlowPart::undecidedShareMoved() const {
+  const CouplingParameters& coupling = world_.scene.coupling;
+  const AgentStore& agents = world_.wall.agents;
+  if (!world_.biology.hasEndothelium()) return 0;
+  const auto cells = undecidedCells(agents, world_.biology.arrestingWss(), coupling.undecidedMargin);
+  const auto moved = std::ranges::count_if(cells, [&](Index cell) {
+    const Vec3 at = agents.position(cell);
+    return std::abs(world_.lumen.present.radiusAt(at) - world_.lumen.atLastFlow.radiusAt(at)) >
+           coupling.lumenTolerance;
+  });
+  return cells.empty() ? 0 : static_cast<double>(moved) / static_cast<double>(cells.size());
 }
 
 void FlowPart::run(const Instant& now) {

@@ -9,7 +9,9 @@
 
 namespace restenosis {
 
-/// Solves blood flow in the present lumen (model 8).
+/// Solves blood flow in the present lumen (model 8). It is due when 1 % of the lumen has moved by more than
+/// the tolerance, or when it has moved that far at more than a share of the cells that a change of their
+/// stress may send to rest or wake (undecidedCells): these are few, and stand where the tissue grows.
 class FlowPart : public Part {
  public:
   FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
@@ -22,6 +24,8 @@ class FlowPart : public Part {
   void run(const Instant& now) override;
 
  private:
+  /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
+  double undecidedShareMoved() const;
   void removeFormerCase(const std::filesystem::path& present) const;
 
   World& world_;

@@ -1,5 +1,7 @@
 #include "NitricOxidePart.h"
 
+#include "StressReaders.h"
+
 namespace restenosis {
 
 Verdict NitricOxidePart::needs(Quantity quantity, const Instant&) const {
@@ -9,9 +11,7 @@ Verdict NitricOxidePart::needs(Quantity quantity, const Instant&) const {
   for (Index i = 0; i < agents.size(); ++i) {
     if (agents.kind[i] != AgentKind::smc || !agents.has(i, covered)) continue;
     anyCovered = true;
-    const bool mayRest = agents.state[i] != CycleState::sg2m;
-    if (agents.has(i, synthetic) && !agents.has(i, fixed) && !agents.has(i, inhibited) && mayRest)
-      return Verdict::run();
+    if (readsStress(agents, i)) return Verdict::run();
   }
   return Verdict::skip(anyCovered ? "every covered cell rests or divides whatever its wall shear stress"
                                   : "no cell is covered by endothelium");
