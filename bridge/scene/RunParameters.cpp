@@ -50,6 +50,10 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                               .source = "docs/results/coupling.md",
                               .description = "share of these cells at which the lumen may have moved by more "
                                              "than lumenTolerance"});
+  p.choice(stressUpdate, {"firstOrder", "none"},
+           {.key = "stressUpdate",
+            .source = "docs/model/coupling.md",
+            .description = "how the stress on cells follows the lumen between two solves of the flow"});
   p.quantity(surfaceSmoothing, {.key = "surfaceSmoothing",
                                 .unit = "um",
                                 .minimum = 0,

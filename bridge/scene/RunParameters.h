@@ -27,9 +27,10 @@ struct CouplingParameters {
   static constexpr std::string_view summary = "When the lumen surface is taken and the flow solved";
 
   std::string schedule = "onChange";
-  double lumenTolerance = 5e-6;      ///< [m]
-  double undecidedMargin = 2.5;      ///< undecided is a cell below this times the arresting stress
-  double undecidedShare = 0.03;      ///< of these cells, where the lumen may have moved further
+  double lumenTolerance = 5e-6;  ///< [m]
+  double undecidedMargin = 2.5;  ///< undecided is a cell below this times the arresting stress
+  double undecidedShare = 0.03;  ///< of these cells, where the lumen may have moved further
+  std::string stressUpdate = "firstOrder";
   double surfaceSmoothing = 30e-6;   ///< cell scale at which the lumen surface is smoothed [m]
   double surfaceResolution = 15e-6;  ///< spacing of the distance field [m]
   std::string remesh = "always";

@@ -58,7 +58,7 @@ RadialMap::RadialMap(const LumenField& field, int angles) : angles_(angles) {
 
 double RadialMap::angle(int index) const { return 2 * std::numbers::pi * index / angles_; }
 
-double RadialMap::radiusAt(const Vec3& point) const {
+double RadialMap::interpolate(std::span<const double> byRay, const Vec3& point) const {
   const auto above = std::ranges::upper_bound(z_, point.z());
   const int upper = std::clamp(static_cast<int>(above - z_.begin()), 1, planes() - 1), lower = upper - 1;
   const double along = std::clamp((point.z() - z_[lower]) / (z_[upper] - z_[lower]), 0.0, 1.0);
@@ -67,7 +67,8 @@ double RadialMap::radiusAt(const Vec3& point) const {
   const int left = static_cast<int>(ray) % angles_, right = (left + 1) % angles_;
   const double around = ray - std::floor(ray);
   const auto inPlane = [&](int plane) {
-    return std::lerp(radius(plane, left), radius(plane, right), around);
+    const auto row = byRay.subspan(static_cast<std::size_t>(plane) * angles_, angles_);
+    return std::lerp(row[left], row[right], around);
   };
   return std::lerp(inPlane(lower), inPlane(upper), along);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "LumenField.h"
@@ -23,8 +24,10 @@ class RadialMap {
   double radius(int plane, int angle) const {
     return radius_[static_cast<std::size_t>(plane) * angles_ + angle];
   }
-  /// At the axial position and angle of a point, bilinear between rays; beyond the ends as on them [m].
-  double radiusAt(const Vec3& point) const;
+  /// A quantity given for every ray, plane by plane, at the axial position and angle of a point: bilinear
+  /// between rays; beyond the ends as on them.
+  double interpolate(std::span<const double> byRay, const Vec3& point) const;
+  double radiusAt(const Vec3& point) const { return interpolate(radius_, point); }  ///< [m]
   double meanRadius() const;          ///< over planes (trapezoidal) and angles [m]
   double lumenArea(int plane) const;  ///< of a cross-section as seen from the axis [m^2]
   /// Smallest cross-section of the planes between two z [m^2]. Throws std::invalid_argument if none lies
