@@ -90,32 +90,4 @@ inline TriSurface turnedTube(double radius, double length, double angle, std::ui
   return s;
 }
 
-/// A straight duct whose cross-section is an ellipse with these half axes, its first axis turned by `angle`
-/// from x about z [m].
-inline TriSurface ellipticDuct(double a, double b, double length, double angle, std::uint32_t sides = 256) {
-  constexpr int pieces = 40;
-  std::vector<ProfilePoint> profile;
-  for (int i = 0; i <= pieces; ++i) profile.push_back({1.0, length * i / pieces});
-  TriSurface s = revolve(profile, sides);
-  const Eigen::Rotation2Dd turn(angle);
-  for (Vec3& v : s.vertices) v.head<2>() = turn * Eigen::Vector2d(a * v.x(), b * v.y());
-  return s;
-}
-
-/// Developed flow in that duct: u = peak (1 - (x/a)^2 - (y/b)^2), with the flow rate pi a b peak / 2.
-struct EllipticFlow {
-  double a, b, angle, peak, dynamicViscosity;
-  Eigen::Vector2d inAxes(const Vec3& p) const { return Eigen::Rotation2Dd(-angle) * p.head<2>(); }
-  double velocity(const Vec3& p) const {
-    const Eigen::Vector2d q = inAxes(p);
-    return peak * (1.0 - q.x() * q.x() / (a * a) - q.y() * q.y() / (b * b));
-  }
-  /// Stress on the wall at a point of it [Pa].
-  double stress(const Vec3& p) const {
-    const Eigen::Vector2d q = inAxes(p);
-    return 2.0 * dynamicViscosity * peak * std::hypot(q.x() / (a * a), q.y() / (b * b));
-  }
-  double pressureGradient() const { return 2.0 * dynamicViscosity * peak * (1.0 / (a * a) + 1.0 / (b * b)); }
-};
-
 }  // namespace restenosis::testing

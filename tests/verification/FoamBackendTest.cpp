@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "EllipticDuct.h"
 #include "FlowSupport.h"
 #include "FoamBackend.h"
 #include "OpenFoamPresent.h"
@@ -12,8 +13,8 @@ namespace {
 
 using namespace testing;
 
-/// Measured at draft on a 1.2 mm tube: mean -0.3 %, L2 1.8 %, largest 3.9 %.
-constexpr double meanLimit = 0.01, l2Limit = 0.025;
+/// Measured at draft on a 1.2 mm tube: mean -0.5 %, L2 1.0 %, largest 2.1 %.
+constexpr double meanLimit = 0.01, l2Limit = 0.015;
 /// The inlet's profile vanishes at the circle, not on the meshed polygon: the faces next to it are left out.
 constexpr double endMargin = 0.1e-3;
 
@@ -40,6 +41,21 @@ TEST(FoamBackend, poiseuilleAtFixedPressureGradient) {
   const auto error = stressError(s, vesselStress(), endMargin, vesselLength - endMargin);
   EXPECT_LT(std::abs(error.mean), 0.02) << s.iterations << " iterations";
   EXPECT_NEAR(s.pressureDrop / (conditions.pressureGradient * vesselLength), 1.0, 1e-6);
+}
+
+/// The developed flow in a duct that is no tube; cells of 18 um at the wall.
+TEST(FoamBackend, ellipticDuctTurnedAboutItsAxis) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  FoamSettings settings = FoamSettings::forFidelity("draft");
+  settings.cellSize = 36e-6;
+  FoamBackend backend(settings);
+  const auto e = ellipticDuctError(backend, scratch / "case", endMargin);
+  RecordProperty("stress", std::to_string(e.stress.l2));
+  EXPECT_LT(e.stress.l2, 0.02);
+  EXPECT_LT(std::abs(e.stress.mean), 0.01);
+  EXPECT_LT(std::abs(e.pressureDrop), 0.03);
+  EXPECT_LT(e.velocity, 0.01);
 }
 
 TEST(FoamBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
