@@ -22,7 +22,8 @@ class FlowPart : public Part {
   void run(const Instant& now) override;
 
  private:
-  void removeFormerCase(const std::filesystem::path& present) const;
+  /// All but the present one and that which a resumed run would start from.
+  void removeFormerCases(const std::filesystem::path& present) const;
 
   World& world_;
   std::unique_ptr<FlowBackend> backend_;

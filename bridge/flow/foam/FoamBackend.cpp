@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 
 #include "FlowBackendNames.h"
 #include "FoamLog.h"
@@ -11,6 +12,7 @@
 #include "FoamVelocity.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
+#include "MeshMorph.h"
 
 namespace restenosis {
 
@@ -44,11 +46,39 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
   const fs::path folder = fs::absolute(caseFolder);
   solved_ = folder;
+  std::optional<Former> former;
+  std::string reason = "there was no former mesh", details;
+  if (!former_.empty()) {
+    try {
+      former.emplace(former_, readFoamSolution(former_));
+    } catch (const std::exception& error) {
+      reason = "the former case could not be read", details = error.what();
+    }
+  }
+  if (remeshing_ == Remeshing::onDemand && former) {
+    try {
+      return attempt(folder, lumen, shape, conditions, Effort::normal, &*former, Mesh::moved);
+    } catch (const MorphRefused& refused) {
+      reason = refused.reason, details = refused.what();
+    } catch (const FoamStepFailed& failed) {
+      reason = "the moved mesh failed a check", details = failed.what();
+    }
+  }
+  FlowSolution solution =
+      solveWithNewMesh(folder, lumen, shape, conditions, former && settings_.warmStart ? &*former : nullptr);
+  if (remeshing_ == Remeshing::onDemand) solution.remeshedBecause = reason;
+  if (!details.empty()) solution.remarks.push_back(fmt::format("meshed anew: {} ({})", reason, details));
+  return solution;
+}
+
+FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurface& lumen,
+                                           const LumenCase& shape, const FlowConditions& conditions,
+                                           const Former* former) const {
   try {
-    return attempt(folder, lumen, shape, conditions, Effort::normal);
+    return attempt(folder, lumen, shape, conditions, Effort::normal, former, Mesh::made);
   } catch (const FoamStepFailed& first) {
     try {
-      FlowSolution solution = attempt(folder, lumen, shape, conditions, Effort::robust);
+      FlowSolution solution = attempt(folder, lumen, shape, conditions, Effort::robust, nullptr, Mesh::made);
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.what()));
@@ -61,6 +91,10 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
     }
   }
 }
+
+void FoamBackend::startFrom(const fs::path& formerCase) { former_ = fs::absolute(formerCase); }
+
+bool FoamBackend::needsFormerCase() const { return settings_.warmStart || remeshing_ == Remeshing::onDemand; }
 
 std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const {
   if (solved_.empty()) return {};
@@ -89,13 +123,22 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
 }
 
 FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                                  const FlowConditions& conditions, Effort effort) const {
+                                  const FlowConditions& conditions, Effort effort, const Former* former,
+                                  Mesh mesh) const {
   try {
     prepare(folder, surface, lumen, conditions, effort);
     FoamRun run(folder, lumen, conditions, settings_, execution_);
-    run.mesh();
-    run.solve();
+    std::optional<FoamStart> start;
+    if (mesh == Mesh::moved) {
+      auto centres = run.morph(former->solution.mesh, former->folder, surface);
+      if (settings_.warmStart) start.emplace(former->solution, std::move(centres));
+    } else {
+      run.mesh();
+      if (former != nullptr) start.emplace(former->solution, former->solution.mesh.cellCentres());
+    }
+    run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
+    if (mesh == Mesh::moved) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(fmt::format(
@@ -104,6 +147,8 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
           100.0 * lumen.profile.rimError));
     return solution;
   } catch (const FlowFailed&) {
+    throw;
+  } catch (const MorphRefused&) {
     throw;
   } catch (const std::exception& error) {  // files that cannot be written or copied
     throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
