@@ -8,7 +8,8 @@
 
 namespace restenosis {
 
-/// The place on a set of triangles that is nearest to a point, exactly.
+/// The place on a set of triangles that is nearest to a point, exactly. Fast where the triangles are of about
+/// one size: the largest sets how many are looked at.
 class NearestTriangle {
  public:
   /// Throws std::invalid_argument where there are no triangles.

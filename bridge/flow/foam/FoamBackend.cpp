@@ -55,30 +55,35 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
       reason = "the former case could not be read", details = error.what();
     }
   }
+  Attempt newMesh{.former = former && settings_.warmStart ? &*former : nullptr};
   if (remeshing_ == Remeshing::onDemand && former) {
+    newMesh.keepLogsIn = "movedMesh";
     try {
-      return attempt(folder, lumen, shape, conditions, Effort::normal, &*former, Mesh::moved);
+      return attempt(folder, lumen, shape, conditions, {.mesh = Attempt::Mesh::moved, .former = &*former});
     } catch (const MorphRefused& refused) {
       reason = refused.reason, details = refused.what();
     } catch (const FoamStepFailed& failed) {
       reason = "the moved mesh failed a check", details = failed.what();
     }
   }
-  FlowSolution solution =
-      solveWithNewMesh(folder, lumen, shape, conditions, former && settings_.warmStart ? &*former : nullptr);
-  if (remeshing_ == Remeshing::onDemand) solution.remeshedBecause = reason;
-  if (!details.empty()) solution.remarks.push_back(fmt::format("meshed anew: {} ({})", reason, details));
+  FlowSolution solution = solveWithNewMesh(folder, lumen, shape, conditions, newMesh);
+  const bool onDemand = remeshing_ == Remeshing::onDemand;
+  if (onDemand) solution.remeshedBecause = reason;
+  if (!details.empty())
+    solution.remarks.push_back(
+        fmt::format("{}: {} ({})", onDemand ? "meshed anew" : "started from rest", reason, details));
   return solution;
 }
 
 FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurface& lumen,
                                            const LumenCase& shape, const FlowConditions& conditions,
-                                           const Former* former) const {
+                                           const Attempt& how) const {
   try {
-    return attempt(folder, lumen, shape, conditions, Effort::normal, former, Mesh::made);
+    return attempt(folder, lumen, shape, conditions, how);
   } catch (const FoamStepFailed& first) {
     try {
-      FlowSolution solution = attempt(folder, lumen, shape, conditions, Effort::robust, nullptr, Mesh::made);
+      FlowSolution solution =
+          attempt(folder, lumen, shape, conditions, {.effort = Effort::robust, .keepLogsIn = "firstAttempt"});
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.what()));
@@ -102,19 +107,19 @@ std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const
 }
 
 void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                          const FlowConditions& conditions, Effort effort) const {
+                          const FlowConditions& conditions, const Attempt& how) const {
   std::vector<std::pair<fs::path, std::string>> kept;
-  if (effort == Effort::robust)
+  if (!how.keepLogsIn.empty())
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().filename().string().starts_with("log."))
         kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
   copyFoamTemplate(foamTemplate(), folder);
-  if (!kept.empty()) fs::create_directories(folder / "firstAttempt");
-  for (const auto& [name, text] : kept) writeText(folder / "firstAttempt" / name, text);
+  if (!kept.empty()) fs::create_directories(folder / how.keepLogsIn);
+  for (const auto& [name, text] : kept) writeText(folder / how.keepLogsIn / name, text);
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));
-  writeLumenParameters(parameters, lumen, conditions, settings_, effort, execution_.ranks);
+  writeLumenParameters(parameters, lumen, conditions, settings_, how.effort, execution_.ranks);
   writeText(file, parameters.text());
   const fs::path surfaces = folder / "constant/triSurface";
   writeLumenStl(surface, lumen.ends, overshootCells * settings_.cellSize, surfaces / "lumen.stl");
@@ -123,22 +128,22 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
 }
 
 FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                                  const FlowConditions& conditions, Effort effort, const Former* former,
-                                  Mesh mesh) const {
+                                  const FlowConditions& conditions, const Attempt& how) const {
+  const bool moved = how.mesh == Attempt::Mesh::moved;
   try {
-    prepare(folder, surface, lumen, conditions, effort);
+    prepare(folder, surface, lumen, conditions, how);
     FoamRun run(folder, lumen, conditions, settings_, execution_);
     std::optional<FoamStart> start;
-    if (mesh == Mesh::moved) {
-      auto centres = run.morph(former->solution.mesh, former->folder, surface);
-      if (settings_.warmStart) start.emplace(former->solution, std::move(centres));
+    if (moved) {
+      auto centres = run.morph(how.former->solution.mesh, how.former->folder, surface);
+      if (settings_.warmStart) start.emplace(how.former->solution, std::move(centres));
     } else {
       run.mesh();
-      if (former != nullptr) start.emplace(former->solution, former->solution.mesh.cellCentres());
+      if (how.former != nullptr) start.emplace(how.former->solution, how.former->solution.mesh.cellCentres());
     }
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
-    if (mesh == Mesh::moved) takeRegions(solution.wall, surface);
+    if (moved) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(fmt::format(

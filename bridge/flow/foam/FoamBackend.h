@@ -18,7 +18,8 @@ namespace restenosis {
 /// Nothing is believed that was not checked: the surface before it is meshed; the mesher's own verdict, the
 /// mesh's volume, patches and quality; convergence, flow rates, pressure drop and stresses. After a
 /// violated check of the mesh or the solution, a second attempt is made with more careful meshing and
-/// stronger relaxation, and recorded in FlowSolution::remarks; the logs of the first stay in `firstAttempt`.
+/// stronger relaxation, and recorded in FlowSolution::remarks; the logs of the first stay in `firstAttempt`,
+/// those of a moved mesh that was given up in `movedMesh`.
 /// Then FlowFailed names the step, the reason and the log.
 class FoamBackend : public FlowBackend {
  public:
@@ -40,18 +41,23 @@ class FoamBackend : public FlowBackend {
     std::filesystem::path folder;
     FoamSolution solution;
   };
-  enum class Mesh : std::uint8_t { made, moved };
-  /// One attempt; `former` may be null, which `Mesh::moved` excludes.
+  /// How a solve is attempted.
+  struct Attempt {
+    enum class Mesh : std::uint8_t { made, moved };
+    Mesh mesh = Mesh::made;
+    Effort effort = Effort::normal;
+    const Former* former = nullptr;  ///< null: from rest. Not null for Mesh::moved
+    std::string_view keepLogsIn;  ///< folder in the case for the logs of the attempt before; empty for none
+  };
   FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                       const FlowConditions& conditions, Effort effort, const Former* former,
-                       Mesh mesh) const;
-  /// Two attempts with a new mesh.
+                       const FlowConditions& conditions, const Attempt& how) const;
+  /// Up to two attempts with a new mesh; `first` is how the first is made.
   FlowSolution solveWithNewMesh(const std::filesystem::path& folder, const TriSurface& surface,
                                 const LumenCase& lumen, const FlowConditions& conditions,
-                                const Former* former) const;
+                                const Attempt& first) const;
   /// A fresh case folder for one attempt; the logs of an earlier one are kept.
   void prepare(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
-               const FlowConditions& conditions, Effort effort) const;
+               const FlowConditions& conditions, const Attempt& how) const;
 
   FoamSettings settings_;
   FoamExecution execution_;
