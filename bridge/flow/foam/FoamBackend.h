@@ -47,14 +47,15 @@ class FoamBackend : public FlowBackend {
     Mesh mesh = Mesh::made;
     Effort effort = Effort::normal;
     const Former* former = nullptr;  ///< null: from rest. Not null for Mesh::moved
-    std::string_view keepLogsIn;  ///< folder in the case for the logs of the attempt before; empty for none
+    /// Folder in the case for the logs of the attempt before; empty for none.
+    std::string_view keepLogsIn = {};
   };
   FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
                        const FlowConditions& conditions, const Attempt& how) const;
-  /// Up to two attempts with a new mesh; `first` is how the first is made.
+  /// Up to two attempts with a new mesh; `how` is for the first.
   FlowSolution solveWithNewMesh(const std::filesystem::path& folder, const TriSurface& surface,
                                 const LumenCase& lumen, const FlowConditions& conditions,
-                                const Attempt& first) const;
+                                const Attempt& how) const;
   /// A fresh case folder for one attempt; the logs of an earlier one are kept.
   void prepare(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
                const FlowConditions& conditions, const Attempt& how) const;
