@@ -76,7 +76,23 @@ void Run::resume() {
                     checkpoint_.file().string(), nextStep_ * scene_.scene.step / day,
                     scene_.scene.duration / day));
   }
+  requireFormerCase();
   if (stage_ == Stage::growing) record_->begin();
+}
+
+void Run::requireFormerCase() {
+  noteCaseInCheckpoint();
+  const auto& folder = world_.caseInCheckpoint;
+  if (folder.empty() || !flowNeedsFormerCase_ || std::filesystem::is_directory(folder / "constant/polyMesh"))
+    return;
+  throw CheckpointRefused(
+      CheckpointRefused::Reason::caseMissing,
+      fmt::format("{} goes on from the flow in {}, which is not there: start the run again",
+                  checkpoint_.file().string(), folder.string()));
+}
+
+void Run::noteCaseInCheckpoint() {
+  if (world_.flow.solves > 0) world_.caseInCheckpoint = folder_.flowCase(world_.flow.time);
 }
 
 void Run::go() {
@@ -155,18 +171,20 @@ void Run::buildSchedule() {
   // Not archived: where the stent stands after deployment follows from the scene.
   if (scene_.stent && !world_.stent)
     world_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
-  auto backend = scene_.flow
-                     ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
-                                                              .foam = scene_.foam,
-                                                              .lbm = scene_.lbm,
-                                                              .ranks = options_.ranks,
-                                                              .stopRequested = options_.stopRequested})
-                     : nullptr;
+  auto backend =
+      scene_.flow ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
+                                                           .foam = scene_.foam,
+                                                           .lbm = scene_.lbm,
+                                                           .moveMesh = scene_.coupling.remesh == "onDemand",
+                                                           .ranks = options_.ranks,
+                                                           .stopRequested = options_.stopRequested})
+                  : nullptr;
   if (backend && world_.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
   if (scene_.hasTissue()) schedule_->add(std::make_unique<RelaxPart>(world_));
   if (scene_.cellCycle) schedule_->add(std::make_unique<ExposurePart>(world_));
   if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));
   schedule_->add(std::make_unique<LumenPart>(world_));
+  flowNeedsFormerCase_ = backend && backend->needsFormerCase();
   if (backend) schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
   if (scene_.endothelium) {
     schedule_->add(std::make_unique<WallShearPart>(world_));
@@ -212,6 +230,7 @@ void Run::saveCheckpoint() {
   auto measurement = world_.timer.measure("output");
   checkpoint_.save(fingerprint_, [this](StreamingArchive& state) { archive(state); });
   lastCheckpoint_ = std::chrono::steady_clock::now();
+  noteCaseInCheckpoint();
 }
 
 void Run::reportProgress(const Instant& now) {
@@ -270,6 +289,8 @@ void Run::writeSummary() {
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;
+  summary.flowMeshesMoved = world_.flow.meshesMoved;
+  summary.flowRemeshed = world_.flow.remeshedBecause;
   if (schedule_) {
     const auto flow = schedule_->counts().find("flow");
     if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;

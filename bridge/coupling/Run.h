@@ -63,6 +63,9 @@ class Run {
   Instant instant(std::uint32_t step) const;
   void checkpointWhenDue(bool regular);
   void saveCheckpoint();
+  /// Throws CheckpointRefused where the next solve needs the case of the last one and it is gone.
+  void requireFormerCase();
+  void noteCaseInCheckpoint();
   void stopIfAsked();
   void reportProgress(const Instant& now);
   void writeFinalResults();
@@ -78,6 +81,7 @@ class Run {
   std::string fingerprint_;
   std::unique_ptr<Schedule> schedule_;
   RecordPart* record_ = nullptr;  ///< owned by the schedule
+  bool flowNeedsFormerCase_ = false;
 
   Stage stage_ = Stage::fresh;
   std::int32_t deploymentSteps_ = 0;  ///< done

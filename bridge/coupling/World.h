@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,13 +38,15 @@ struct LumenState {
 /// The last flow solution, as long as it holds.
 struct FlowState {
   std::optional<FlowSolution> last;
-  double time = 0;                   ///< of that solve [s]
-  std::uint64_t solves = 0;          ///< since the start
-  std::uint64_t solvesRecorded = 0;  ///< of these, before the last recorded state
+  double time = 0;                                       ///< of that solve [s]
+  std::uint64_t solves = 0;                              ///< since the start
+  std::uint64_t solvesRecorded = 0;                      ///< of these, before the last recorded state
+  std::uint64_t meshesMoved = 0;                         ///< solves whose mesh was the former one, moved
+  std::map<std::string, std::uint64_t> remeshedBecause;  ///< how often it was not, by reason
 
   template <class Archive>
   void archive(Archive& a) {
-    a(last, time, solves, solvesRecorded);
+    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause);
   }
 };
 
@@ -66,6 +70,8 @@ struct World {
   std::optional<InjuryReport> injury;
   std::uint64_t divisions = 0;  ///< since deployment
   std::vector<std::string> remarks;
+  /// Case of the last solve that the checkpoint knows; empty for none. A resumed run may need it.
+  std::filesystem::path caseInCheckpoint;
 
   /// The triangulated lumen of when updateLumen was last called; after a resumption, of the present agents.
   /// Throws Occluded.

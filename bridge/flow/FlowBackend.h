@@ -42,10 +42,13 @@ struct FlowSolution {
   int iterations = 0;
   double meshSeconds = 0.0, solveSeconds = 0.0;
   std::vector<std::string> remarks;  ///< retries, warnings; empty when all went as planned
+  bool meshMoved = false;            ///< the mesh is that of the former solve, moved onto the lumen
+  std::string remeshedBecause;       ///< why not, as a category; empty where no mesh is ever moved
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks);
+    a(wall, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks, meshMoved,
+      remeshedBecause);
   }
 };
 
@@ -65,6 +68,12 @@ class FlowBackend {
   /// user opens. Throws FlowFailed.
   virtual FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                              const std::filesystem::path& caseFolder) = 0;
+  /// The next solve may make use of the solution that a former one has left in this folder, which stays as it
+  /// is. What is to be had from it must depend on the folder alone, not on what this object has solved
+  /// before: a run that is resumed has a new one.
+  virtual void startFrom(const std::filesystem::path& /*formerCase*/) {}
+  /// Whether what `solve` returns depends on the folder given to startFrom.
+  virtual bool needsFormerCase() const { return false; }
   /// Velocity of the last solution [m/s] at points in its lumen [m]; NaN where it is not known. Empty from a
   /// backend that keeps none.
   virtual std::vector<Vec3> velocities(const std::vector<Vec3>&) const { return {}; }

@@ -19,7 +19,7 @@ namespace {
 using Reason = CheckpointRefused::Reason;
 
 constexpr std::array<char, 8> magic{'r', 'F', 'o', 'a', 'm', 'S', 't', '\n'};
-constexpr std::uint32_t formatVersion = 1;
+constexpr std::uint32_t formatVersion = 2;
 
 /// The first bytes of every format; they never change their place.
 struct Prefix {
@@ -28,7 +28,7 @@ struct Prefix {
   std::uint32_t headerSize;  ///< of what follows the prefix [bytes]
 };
 
-/// What follows the prefix in format 1, before the state.
+/// What follows the prefix, before the state.
 struct Header {
   std::string fingerprint, writtenBy, digest;
   std::uint64_t stateSize = 0;

@@ -12,7 +12,16 @@ namespace restenosis {
 
 /// A checkpoint that cannot be gone on from; `reason` tells why without parsing the message.
 struct CheckpointRefused : std::runtime_error {
-  enum class Reason { missing, notACheckpoint, otherFormat, truncated, corrupt, foreign, beyond };
+  enum class Reason {
+    missing,
+    notACheckpoint,
+    otherFormat,
+    truncated,
+    corrupt,
+    foreign,
+    beyond,
+    caseMissing
+  };
   CheckpointRefused(Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
   Reason reason;
 };

@@ -33,6 +33,8 @@ Json flowSolves(const Summary& summary) {
   flow["solvesDone"] = summary.flowSolvesDone;
   flow["solvesSkipped"] = skipped;
   flow["skippedBecause"] = Json(summary.flowSolvesSkipped);
+  flow["meshesMoved"] = summary.flowMeshesMoved;
+  flow["remeshedBecause"] = Json(summary.flowRemeshed);
   return flow;
 }
 

@@ -67,8 +67,11 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                                  .source = "assumed",
                                  .description = "spacing of the distance field"});
   p.choice(
-      remesh, {"always"},
-      {.key = "remesh", .source = "model 9", .description = "mesh each lumen afresh with snappyHexMesh"});
+      remesh, {"always", "onDemand"},
+      {.key = "remesh",
+       .source = "model 9",
+       .description = "mesh each lumen afresh with snappyHexMesh, or move the last mesh while that is good "
+                      "enough (foam)"});
 }
 
 void OutputParameters::describe(ParameterVisitor& p) {

@@ -11,14 +11,6 @@
 namespace restenosis {
 namespace {
 
-/// Names that belong to the scene language but to no part built so far, with what to say to who uses them.
-struct UnbuiltName {
-  std::string_view section, key, value, message;
-};
-constexpr UnbuiltName unbuiltNames[] = {
-    {"coupling", "remesh", "onDemand", "moving the mesh between remeshes is not part of this version"},
-};
-
 std::string describeGiven(const GivenValue& given) {
   struct Words {
     std::string operator()(bool value) const { return value ? "true" : "false"; }
@@ -170,13 +162,6 @@ void SectionReader::choice(std::string& value, const std::vector<std::string_vie
   if (std::find(allowed.begin(), allowed.end(), *word) != allowed.end()) {
     value = *word;
     return;
-  }
-  for (const auto& unbuilt : unbuiltNames) {
-    if (unbuilt.section == name_ && unbuilt.key == info.key && unbuilt.value == *word) {
-      return complain(*given, info.key,
-                      fmt::format("'{}' in [{}] is \"{}\", but {}{}", info.key, name_, *word, unbuilt.message,
-                                  suggestion("", allowed)));
-    }
   }
   complain(
       *given, info.key,

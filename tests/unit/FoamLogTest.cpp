@@ -16,10 +16,11 @@ TEST(FoamLog, meshReportIsRead) {
   const auto good = meshReport(
       "    cells:            20476\n    Min volume = 2.8e-06. Max volume = 0.00078.  Total volume = "
       "3.008409536.  "
-      "Cell volumes OK.\n\nMesh OK.\n\nEnd\n");
+      "Cell volumes OK.\n    Mesh non-orthogonality Max: 48.0335 average: 12.5\n\nMesh OK.\n\nEnd\n");
   EXPECT_TRUE(good.ok);
   EXPECT_EQ(good.cells, 20476u);
   EXPECT_DOUBLE_EQ(good.volume, 3.008409536);
+  EXPECT_DOUBLE_EQ(good.nonOrthogonality, 48.0335);
 }
 
 TEST(FoamLog, failedMeshChecksAreQuoted) {

@@ -132,8 +132,9 @@ TEST_F(SceneReaderTest, HoldsValuesToTheirBounds) {
 TEST_F(SceneReaderTest, OffersTheChoices) {
   expectOne(start + "[flow]\nbackend = \"faom\"\n", 11,
             {"cannot be \"faom\"; did you mean 'foam'? Allowed: foam"});
-  expectOne(start + "[coupling]\nremesh = \"onDemand\"\n", 11,
-            {"not part of this version", "Allowed: always"});
+  expectOne(start + "[coupling]\nremesh = \"never\"\n", 11,
+            {"cannot be \"never\"", "Allowed: always, onDemand"});
+  EXPECT_TRUE(findings(start + "[coupling]\nremesh = \"onDemand\"\n").empty());
 }
 
 TEST_F(SceneReaderTest, PlacesBrokenToml) {

@@ -22,6 +22,8 @@ Summary example() {
   summary.last.neointimaThickness = 51e-6;
   summary.flowSolvesDone = 5;
   summary.flowSolvesSkipped = {{"no covered cell", 72}, {"the lumen has moved too little", 8}};
+  summary.flowMeshesMoved = 3;
+  summary.flowRemeshed = {{"there was no former mesh", 1}, {"the wall moved too far", 1}};
   summary.parts["flow"] = {12.5, 300 << 20, 500 << 20, 5};
   return summary;
 }
@@ -41,6 +43,8 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["flow"]["solvesDone"], 5);
   EXPECT_EQ(json["flow"]["solvesSkipped"], 80);
   EXPECT_EQ(json["flow"]["skippedBecause"]["no covered cell"], 72);
+  EXPECT_EQ(json["flow"]["meshesMoved"], 3);
+  EXPECT_EQ(json["flow"]["remeshedBecause"]["the wall moved too far"], 1);
   EXPECT_EQ(json["parts"]["flow"]["seconds"], 12.5);
   EXPECT_EQ(json["parts"]["flow"]["peakMemory_MiB"], 300.0);
   EXPECT_EQ(json["parts"]["flow"]["peakChildProcessMemory_MiB"], 500.0);

@@ -43,22 +43,27 @@ void FlowPart::run(const Instant& now) {
   }
   auto measurement = world_.timer.measure("flow");
   const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
+  if (world_.flow.solves > 0) backend_->startFrom(world_.folder.flowCase(world_.flow.time));
   world_.flow.last = backend_->solve(lumen, conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
   for (const auto& remark : world_.flow.last->remarks)
     world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / 86400, remark));
   world_.flow.time = now.time;
   ++world_.flow.solves;
+  if (world_.flow.last->meshMoved) ++world_.flow.meshesMoved;
+  if (const auto& reason = world_.flow.last->remeshedBecause; !reason.empty())
+    ++world_.flow.remeshedBecause[reason];
   world_.lumen.atLastFlow = world_.lumen.present;
   world_.changes.touch(Quantity::wallTraction);
-  if (world_.scene.output.keepFlowCases == "last") removeFormerCase(folder);
+  if (world_.scene.output.keepFlowCases == "last") removeFormerCases(folder);
 }
 
-void FlowPart::removeFormerCase(const std::filesystem::path& present) const {
+void FlowPart::removeFormerCases(const std::filesystem::path& present) const {
   namespace fs = std::filesystem;
   if (!fs::exists(present)) return;
   for (const auto& entry : fs::directory_iterator(present.parent_path())) {
-    if (entry.path() != present && entry.is_directory()) fs::remove_all(entry.path());
+    if (entry.path() != present && entry.path() != world_.caseInCheckpoint && entry.is_directory())
+      fs::remove_all(entry.path());
   }
 }
 

@@ -26,7 +26,8 @@ class FlowPart : public Part {
  private:
   /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
   double undecidedShareMoved() const;
-  void removeFormerCase(const std::filesystem::path& present) const;
+  /// All but the present one and that which a resumed run would start from.
+  void removeFormerCases(const std::filesystem::path& present) const;
 
   World& world_;
   std::unique_ptr<FlowBackend> backend_;

@@ -16,7 +16,8 @@ const std::vector<FlowBackendEntry>& flowBackends() {
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
          return std::make_unique<FoamBackend>(
              options.foam ? *options.foam : FoamSettings::forFidelity(options.fidelity),
-             FoamExecution{options.ranks, options.stopRequested});
+             FoamExecution{options.ranks, options.stopRequested},
+             options.moveMesh ? FoamBackend::Remeshing::onDemand : FoamBackend::Remeshing::always);
        }},
       {flowBackendNames::lbm,
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {

@@ -19,6 +19,7 @@ struct FlowBackendOptions {
   std::optional<FoamSettings> foam = std::nullopt;   ///< instead of those of the fidelity
   std::optional<LbmSettings> lbm = std::nullopt;     ///< the same
   bool keepVelocities = false;                       ///< for FlowBackend::velocities; costs memory
+  bool moveMesh = false;                             ///< rather than mesh each lumen anew (foam)
   int ranks = 1;                                     ///< processes that may work on one flow
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, a solve under way ends by FlowFailed
 };

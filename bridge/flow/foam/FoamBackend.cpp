@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 
 #include "FlowBackendNames.h"
 #include "FoamLog.h"
@@ -11,6 +12,7 @@
 #include "FoamVelocity.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
+#include "MeshMorph.h"
 
 namespace restenosis {
 
@@ -44,11 +46,44 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
   const fs::path folder = fs::absolute(caseFolder);
   solved_ = folder;
+  std::optional<Former> former;
+  std::string reason = "there was no former mesh", details;
+  if (!former_.empty()) {
+    try {
+      former.emplace(former_, readFoamSolution(former_));
+    } catch (const std::exception& error) {
+      reason = "the former case could not be read", details = error.what();
+    }
+  }
+  Attempt newMesh{.former = former && settings_.warmStart ? &*former : nullptr};
+  if (remeshing_ == Remeshing::onDemand && former) {
+    newMesh.keepLogsIn = "movedMesh";
+    try {
+      return attempt(folder, lumen, shape, conditions, {.mesh = Attempt::Mesh::moved, .former = &*former});
+    } catch (const MorphRefused& refused) {
+      reason = refused.reason, details = refused.what();
+    } catch (const FoamStepFailed& failed) {
+      reason = "the moved mesh failed a check", details = failed.what();
+    }
+  }
+  FlowSolution solution = solveWithNewMesh(folder, lumen, shape, conditions, newMesh);
+  const bool onDemand = remeshing_ == Remeshing::onDemand;
+  if (onDemand) solution.remeshedBecause = reason;
+  if (!details.empty())
+    solution.remarks.push_back(
+        fmt::format("{}: {} ({})", onDemand ? "meshed anew" : "started from rest", reason, details));
+  return solution;
+}
+
+FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurface& lumen,
+                                           const LumenCase& shape, const FlowConditions& conditions,
+                                           const Attempt& how) const {
   try {
-    return attempt(folder, lumen, shape, conditions, Effort::normal);
+    return attempt(folder, lumen, shape, conditions, how);
   } catch (const FoamStepFailed& first) {
     try {
-      FlowSolution solution = attempt(folder, lumen, shape, conditions, Effort::robust);
+      FlowSolution solution =
+          attempt(folder, lumen, shape, conditions, {.effort = Effort::robust, .keepLogsIn = "firstAttempt"});
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.what()));
@@ -62,25 +97,29 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
 }
 
+void FoamBackend::startFrom(const fs::path& formerCase) { former_ = fs::absolute(formerCase); }
+
+bool FoamBackend::needsFormerCase() const { return settings_.warmStart || remeshing_ == Remeshing::onDemand; }
+
 std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const {
   if (solved_.empty()) return {};
   return foamVelocities(solved_, points);
 }
 
 void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                          const FlowConditions& conditions, Effort effort) const {
+                          const FlowConditions& conditions, const Attempt& how) const {
   std::vector<std::pair<fs::path, std::string>> kept;
-  if (effort == Effort::robust)
+  if (!how.keepLogsIn.empty())
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().filename().string().starts_with("log."))
         kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
   copyFoamTemplate(foamTemplate(), folder);
-  if (!kept.empty()) fs::create_directories(folder / "firstAttempt");
-  for (const auto& [name, text] : kept) writeText(folder / "firstAttempt" / name, text);
+  if (!kept.empty()) fs::create_directories(folder / how.keepLogsIn);
+  for (const auto& [name, text] : kept) writeText(folder / how.keepLogsIn / name, text);
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));
-  writeLumenParameters(parameters, lumen, conditions, settings_, effort, execution_.ranks);
+  writeLumenParameters(parameters, lumen, conditions, settings_, how.effort, execution_.ranks);
   writeText(file, parameters.text());
   const fs::path surfaces = folder / "constant/triSurface";
   writeLumenStl(surface, lumen.ends, overshootCells * settings_.cellSize, surfaces / "lumen.stl");
@@ -89,13 +128,22 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
 }
 
 FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
-                                  const FlowConditions& conditions, Effort effort) const {
+                                  const FlowConditions& conditions, const Attempt& how) const {
+  const bool moved = how.mesh == Attempt::Mesh::moved;
   try {
-    prepare(folder, surface, lumen, conditions, effort);
+    prepare(folder, surface, lumen, conditions, how);
     FoamRun run(folder, lumen, conditions, settings_, execution_);
-    run.mesh();
-    run.solve();
+    std::optional<FoamStart> start;
+    if (moved) {
+      auto centres = run.morph(how.former->solution.mesh, how.former->folder, surface);
+      if (settings_.warmStart) start.emplace(how.former->solution, std::move(centres));
+    } else {
+      run.mesh();
+      if (how.former != nullptr) start.emplace(how.former->solution, how.former->solution.mesh.cellCentres());
+    }
+    run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
+    if (moved) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(fmt::format(
@@ -104,6 +152,8 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
           100.0 * lumen.profile.rimError));
     return solution;
   } catch (const FlowFailed&) {
+    throw;
+  } catch (const MorphRefused&) {
     throw;
   } catch (const std::exception& error) {  // files that cannot be written or copied
     throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});

@@ -43,6 +43,8 @@ MeshReport meshReport(const std::string& checkMeshLog) {
   if (const auto cells = after(checkMeshLog, "    cells: ")) std::istringstream(*cells) >> report.cells;
   if (const auto volume = after(checkMeshLog, "Total volume = "))
     std::istringstream(*volume) >> report.volume;
+  if (const auto angle = after(checkMeshLog, "Mesh non-orthogonality Max: "))
+    std::istringstream(*angle) >> report.nonOrthogonality;
   if (report.ok) return report;
   std::istringstream lines(checkMeshLog);
   for (std::string line; std::getline(lines, line);) {

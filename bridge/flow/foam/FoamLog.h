@@ -20,8 +20,9 @@ std::optional<std::string> meshingProblem(const std::string& snappyLog);
 struct MeshReport {
   bool ok = false;  ///< "Mesh OK."
   std::size_t cells = 0;
-  double volume = 0.0;  ///< [case length unit^3]
-  std::string problem;  ///< the checks that failed, where not ok
+  double volume = 0.0;            ///< [case length unit^3]
+  double nonOrthogonality = 0.0;  ///< the largest [degrees]
+  std::string problem;            ///< the checks that failed, where not ok
   std::size_t skewFaces =
       0;                  ///< faces that are all that is wrong with the mesh; 0 where other checks failed too
   double skewness = 0.0;  ///< the largest of theirs

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "FoamLog.h"
+#include "MeshMorph.h"
 #include "WallPatch.h"
 
 namespace restenosis {
@@ -14,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr double cubicMillimetre = 1e-9;  // [m^3], also [m^3/s] for mm^3/s
 constexpr double squareMillimetre = 1e-6;
+constexpr double micrometre = 1e-6;
 }  // namespace
 
 FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& conditions,
@@ -66,6 +69,10 @@ void FoamRun::mesh() {
   if (const auto problem = foamLog::meshingProblem(foamLog::read(log("snappyHexMesh"))))
     fail("snappyHexMesh", *problem);
   checkPatches();
+  checkMesh();
+}
+
+double FoamRun::checkMesh() {
   run("checkMesh", {}, On::allRanks);
   const auto report = foamLog::meshReport(foamLog::read(log("checkMesh")));
   const double volume = report.volume * cubicMillimetre;
@@ -86,6 +93,44 @@ void FoamRun::mesh() {
     fail("checkMesh", report.problem);
   }
   solution_.cells = report.cells;
+  return report.nonOrthogonality;
+}
+
+std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerCase,
+                                 const TriSurface& surface) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (lumen_.ends != LumenEnds::cut)
+    throw MorphRefused("the lumen does not lie along z", "the mesh's ends cannot be kept in their planes");
+  const auto* strut = former.patch("strut");
+  if ((strut != nullptr && strut->faces > 0) != lumen_.hasStruts())
+    throw MorphRefused("struts have been covered or laid bare altogether", "the mesh's patches do not fit");
+  PolyMesh mesh = former;
+  try {
+    MeshMorph moved = morphOnto(former, surface);
+    const double cell = settings_.wallCell();
+    const auto require = [&](double distance, double limit, const char* reason) {
+      if (!(distance <= limit * cell))
+        throw MorphRefused(reason, fmt::format("{:.3g} um, more than {:.3g} um", distance / micrometre,
+                                               limit * cell / micrometre));
+    };
+    require(moved.movement, settings_.morphMovement, "the wall moved too far");
+    require(moved.departure, settings_.morphDeparture, "the moved mesh does not follow the lumen");
+    mesh.points = std::move(moved.points);
+    copyPolyMesh(formerCase, folder_, mesh.points);
+  } catch (const MorphRefused&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw MorphRefused("the mesh could not be moved", error.what());
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  solution_.meshSeconds += seconds.count();
+  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
+  if (const double angle = checkMesh(); !(angle <= settings_.morphNonOrthogonality))
+    throw MorphRefused(
+        "the moved mesh is too non-orthogonal",
+        fmt::format("{:.3g} degrees, more than {:.3g}", angle, settings_.morphNonOrthogonality));
+  solution_.meshMoved = true;
+  return mesh.cellCentres();
 }
 
 void FoamRun::checkPatches() {
@@ -106,11 +151,12 @@ void FoamRun::checkPatches() {
   if (lumen_.hasStruts() && faces["strut"] == 0) fail("snappyHexMesh", "the mesh has no faces on the struts");
 }
 
-void FoamRun::solve() {
+void FoamRun::solve(const FoamStart* start) {
   fs::remove_all(folder_ / "postProcessing");
   for (const auto& part : parts()) {
     fs::remove_all(part / "0");
     fs::copy(folder_ / "0.orig", part / "0", fs::copy_options::recursive);
+    if (start != nullptr) start->write(part);
   }
   run("simpleFoam", {}, On::allRanks);
   const auto iterations = foamLog::convergedAfter(foamLog::read(log("simpleFoam")));

@@ -6,6 +6,7 @@
 #include "FlowBackend.h"
 #include "FoamExecution.h"
 #include "FoamSettings.h"
+#include "FoamStart.h"
 #include "LumenCase.h"
 
 namespace restenosis {
@@ -15,18 +16,29 @@ struct FoamStepFailed : FlowFailed {
   using FlowFailed::FlowFailed;
 };
 
+/// A mesh that should not follow the lumen; `reason` is a category, without numbers, that can be counted.
+struct MorphRefused : std::runtime_error {
+  MorphRefused(std::string category, const std::string& details)
+      : std::runtime_error(details), reason(std::move(category)) {}
+  std::string reason;
+};
+
 /// One attempt at a case: runs OpenFOAM's programs in a folder that holds a filled template, and checks what
 /// each has done. The steps throw FoamStepFailed, or FlowFailed where another attempt would be vain: a
 /// program missing, an interruption, a closed lumen. On several ranks the case is decomposed before
-/// snappyHexMesh and put together again after simpleFoam, so that what is left opens like a serial one.
+/// meshing and put together again after simpleFoam, so that what is left opens like a serial one.
 class FoamRun {
  public:
   FoamRun(std::filesystem::path folder, const LumenCase& lumen, const FlowConditions& conditions,
           const FoamSettings& settings, const FoamExecution& execution);
   /// blockMesh, snappyHexMesh, checkMesh; the mesh as expected.
   void mesh();
-  /// simpleFoam; the solution as expected.
-  void solve();
+  /// The mesh of a case that has been solved, moved onto the lumen, and checkMesh; the mesh as expected and
+  /// within the limits of FoamSettings. Returns where its cells are. Throws MorphRefused as well.
+  std::vector<Vec3> morph(const PolyMesh& former, const std::filesystem::path& formerCase,
+                          const TriSurface& surface);
+  /// simpleFoam, from rest or from another flow; the solution as expected.
+  void solve(const FoamStart* start);
   /// What the solver has left in the folder.
   FlowSolution result() const { return solution_; }
 
@@ -38,6 +50,8 @@ class FoamRun {
   std::filesystem::path log(const std::string& program) const { return folder_ / ("log." + program); }
   [[noreturn]] void fail(const std::string& program, const std::string& reason) const;
   void checkPatches();
+  /// The mesh's largest non-orthogonality [degrees].
+  double checkMesh();
   void checkFlow();
   void readWall();
   void putTogether();

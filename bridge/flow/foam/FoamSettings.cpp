@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace restenosis {
@@ -19,6 +20,8 @@ constexpr std::array levels = {Level{"draft", 90e-6, 1, 2}, Level{"standard", 60
                                Level{"reference", 45e-6, 1, 2}};
 
 }  // namespace
+
+double FoamSettings::wallCell() const { return cellSize / std::exp2(static_cast<double>(wallLevel)); }
 
 void FoamSettings::describe(ParameterVisitor& p) {
   p.quantity(cellSize, {.key = "cellSize",
@@ -84,6 +87,28 @@ void FoamSettings::describe(ParameterVisitor& p) {
                              .maximum = 1,
                              .source = "assumed",
                              .description = "largest relative error of the flow rates at the ends"});
+  p.boolean(warmStart, {.key = "warmStart",
+                        .source = "docs/results/speed.md",
+                        .description = "start from the former flow instead of from rest"});
+  p.quantity(morphMovement,
+             {.key = "morphMovement",
+              .minimum = 0,
+              .maximum = 10,
+              .source = "docs/results/speed.md",
+              .description = "largest movement of the wall, in cells there, that a mesh may follow"});
+  p.quantity(morphDeparture,
+             {.key = "morphDeparture",
+              .minimum = 0,
+              .maximum = 10,
+              .source = "docs/results/speed.md",
+              .description = "largest distance of a moved mesh's wall from the lumen, in cells there"});
+  p.quantity(morphNonOrthogonality,
+             {.key = "morphNonOrthogonality",
+              .minimum = 0,
+              .maximum = 90,
+              .source = "assumed",
+              .description = "largest angle [degrees] between faces and the lines between cells "
+                             "that a moved mesh may have; snappyHexMesh allows the same"});
   p.quantity(maximumCells, {.key = "maximumCells",
                             .minimum = 1,
                             .source = "assumed",

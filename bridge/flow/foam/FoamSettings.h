@@ -24,10 +24,16 @@ struct FoamSettings {
   double volumeTolerance = 0.02;                 ///< mesh volume against the surface's volume
   std::int64_t skewFaces = 10;                   ///< most faces of a skewness above 4
   double skewness = 20;                          ///< largest skewness
-  double massTolerance = 1e-3;    ///< outflow against inflow, and inflow against the flow rate asked for
-  double maximumCells = 6e6;      ///< estimate above which meshing is refused
-  double minimumCellsAcross = 8;  ///< fewest core cells across the inlet
+  double massTolerance = 1e-3;        ///< outflow against inflow, and inflow against the flow rate asked for
+  bool warmStart = true;              ///< from the former flow, where there is one
+  double morphMovement = 0.5;         ///< largest movement of the wall that a mesh may follow, in wall cells
+  double morphDeparture = 0.5;        ///< largest distance of the moved wall from the lumen, in wall cells
+  double morphNonOrthogonality = 65;  ///< largest of a moved mesh [degrees]
+  double maximumCells = 6e6;          ///< estimate above which meshing is refused
+  double minimumCellsAcross = 8;      ///< fewest core cells across the inlet
 
+  /// Size of the cells at the wall [m].
+  double wallCell() const;
   void describe(ParameterVisitor& p);
   /// The settings of a fidelity level: draft, standard or reference. Throws std::invalid_argument for others.
   static FoamSettings forFidelity(std::string_view fidelity);

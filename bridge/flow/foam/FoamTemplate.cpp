@@ -35,11 +35,16 @@ fs::path foamTemplate() {
 }
 
 void copyFoamTemplate(const fs::path& from, const fs::path& to) {
-  if (fs::exists(to) && !fs::is_empty(to)) {
-    if (!fs::is_regular_file(to / mark))
+  // Filled under another name: whenever the program is killed, the folder is whole or not there
+  fs::path partial = to.has_filename() ? to : to.parent_path();
+  partial += ".partial";
+  fs::remove_all(partial);
+  if (fs::exists(to)) {
+    if (!fs::is_empty(to) && !fs::is_regular_file(to / mark))
       throw std::runtime_error(
           fmt::format("{} holds files that are no flow case; choose another folder", to.string()));
-    fs::remove_all(to);
+    fs::rename(to, partial);
+    fs::remove_all(partial);
   }
   static constexpr std::array parts = {"0.orig",
                                        "system",
@@ -49,9 +54,10 @@ void copyFoamTemplate(const fs::path& from, const fs::path& to) {
                                        "Allclean",
                                        "makeExampleLumen",
                                        "README.md"};
-  fs::create_directories(to / "constant/triSurface");
+  fs::create_directories(partial / "constant/triSurface");
   for (const char* part : parts)
-    fs::copy(from / part, to / part, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    fs::copy(from / part, partial / part, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  fs::rename(partial, to);
 }
 
 }  // namespace restenosis

@@ -10,8 +10,8 @@ namespace restenosis {
 std::filesystem::path foamTemplate();
 
 /// Copies the template into an empty or new folder: 0.orig, constant, system and the scripts, nothing that a
-/// run by hand has left there. A folder that holds an earlier case is emptied first. Throws
-/// std::runtime_error where it holds anything else.
+/// run by hand has left there. A folder that holds an earlier case is emptied first. It is filled as
+/// `<to>.partial` and then renamed. Throws std::runtime_error where it holds anything else.
 void copyFoamTemplate(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace restenosis

@@ -1,0 +1,158 @@
+#include "MeshMorph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <unordered_set>
+
+#include "InnerMotion.h"
+#include "LumenShape.h"
+#include "NearestTriangle.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double perMetre = 1e3;  // mm in a metre
+/// How far the ends may have moved along the vessel [mm], and points of the mesh may be off them.
+constexpr double endTolerance = 1e-6;
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+bool isSide(SurfaceRegion region) { return region == SurfaceRegion::wall || region == SurfaceRegion::strut; }
+
+std::vector<Vec3> inMillimetres(std::vector<Vec3> points) {
+  for (Vec3& p : points) p *= perMetre;
+  return points;
+}
+
+/// The lumen's triangles on wall and struts, by their numbers.
+std::vector<std::size_t> sidesOf(const TriSurface& lumen) {
+  std::vector<std::size_t> sides;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    if (isSide(lumen.region[t])) sides.push_back(t);
+  return sides;
+}
+
+/// The lumen's wall and struts.
+NearestTriangle sides(const TriSurface& lumen) {
+  Triangles triangles;
+  for (const std::size_t t : sidesOf(lumen)) triangles.push_back(lumen.triangles[t]);
+  return {inMillimetres(lumen.vertices), std::move(triangles)};
+}
+
+/// The edges around an end, as triangles without width.
+NearestTriangle rim(const TriSurface& lumen, SurfaceRegion end) {
+  const auto key = [](std::uint64_t from, std::uint64_t to) { return (from << 32) | to; };
+  std::unordered_set<std::uint64_t> ofEnd;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    for (int k = 0; k < 3 && lumen.region[t] == end; ++k)
+      ofEnd.insert(key(lumen.triangles[t][k], lumen.triangles[t][(k + 1) % 3]));
+  Triangles edges;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    for (int k = 0; k < 3 && isSide(lumen.region[t]); ++k) {
+      const auto a = lumen.triangles[t][k], b = lumen.triangles[t][(k + 1) % 3];
+      if (ofEnd.contains(key(b, a))) edges.push_back({a, b, b});
+    }
+  return {inMillimetres(lumen.vertices), std::move(edges)};
+}
+
+/// The faces of the mesh's wall, cut into triangles about their middles.
+NearestTriangle wallOf(const PolyMesh& mesh, std::vector<Vec3> points,
+                       const std::vector<std::size_t>& wallFaces) {
+  Triangles triangles;
+  for (const std::size_t f : wallFaces) {
+    const auto corners = mesh.face(f);
+    Vec3 middle = Vec3::Zero();
+    for (const auto p : corners) middle += points[p] / static_cast<double>(corners.size());
+    const auto centre = static_cast<std::uint32_t>(points.size());
+    points.push_back(middle);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      triangles.push_back({static_cast<std::uint32_t>(corners[k]),
+                           static_cast<std::uint32_t>(corners[(k + 1) % corners.size()]), centre});
+  }
+  return {std::move(points), std::move(triangles)};
+}
+
+std::vector<std::size_t> facesOf(const PolyMesh& mesh, std::initializer_list<std::string_view> patches) {
+  std::vector<std::size_t> faces;
+  for (const auto name : patches)
+    if (const auto* patch = mesh.patch(name))
+      for (std::size_t f = 0; f < patch->faces; ++f) faces.push_back(patch->start + f);
+  return faces;
+}
+
+/// Marks the points of an end, and throws where they do not lie in its plane.
+std::vector<bool> pointsOfEnd(const PolyMesh& mesh, std::string_view patch, double z) {
+  std::vector<bool> marked(mesh.points.size(), false);
+  const auto faces = facesOf(mesh, {patch});
+  if (faces.empty()) throw std::runtime_error(fmt::format("the mesh has no {}", patch));
+  for (const std::size_t f : faces)
+    for (const auto p : mesh.face(f)) {
+      if (!(std::abs(mesh.points[p].z() - z) <= endTolerance))
+        throw std::runtime_error(fmt::format("the {} of the mesh is not where that of the lumen is", patch));
+      marked[p] = true;
+    }
+  return marked;
+}
+
+/// Largest distance between the mesh's wall and the lumen's, from either to the other [mm].
+double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
+                 const std::vector<std::size_t>& wallFaces, const TriSurface& lumen,
+                 const NearestTriangle& surface) {
+  double largest = 0.0;
+  for (const std::size_t f : wallFaces) {
+    Vec3 middle = Vec3::Zero();
+    for (const auto p : mesh.face(f)) middle += points[p] / static_cast<double>(mesh.face(f).size());
+    largest = std::max(largest, surface.at(middle).distance);
+  }
+  const NearestTriangle wall = wallOf(mesh, points, wallFaces);
+  std::vector<bool> onSide(lumen.vertices.size(), false);
+  for (const std::size_t t : sidesOf(lumen))
+    for (const auto v : lumen.triangles[t]) onSide[v] = true;
+  for (std::size_t v = 0; v < onSide.size(); ++v)
+    if (onSide[v]) largest = std::max(largest, wall.at(perMetre * lumen.vertices[v]).distance);
+  return largest;
+}
+
+}  // namespace
+
+MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
+  const auto wallFaces = facesOf(mesh, {"wall", "strut"});
+  if (wallFaces.empty()) throw std::runtime_error("the mesh has no wall");
+  const auto inlet = pointsOfEnd(mesh, "inlet", perMetre * lumenEnd(lumen, SurfaceRegion::inlet).z);
+  const auto outlet = pointsOfEnd(mesh, "outlet", perMetre * lumenEnd(lumen, SurfaceRegion::outlet).z);
+  const NearestTriangle surface = sides(lumen), inletRim = rim(lumen, SurfaceRegion::inlet),
+                        outletRim = rim(lumen, SurfaceRegion::outlet);
+
+  std::vector<PointFreedom> freedom(mesh.points.size(), PointFreedom::all);
+  std::vector<Vec3> displacement(mesh.points.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < freedom.size(); ++i)
+    if (inlet[i] || outlet[i]) freedom[i] = PointFreedom::inPlane;
+  MeshMorph result;
+  for (const std::size_t f : wallFaces)
+    for (const auto p : mesh.face(f)) {
+      if (freedom[p] == PointFreedom::given) continue;
+      const NearestTriangle& target = inlet[p] ? inletRim : outlet[p] ? outletRim : surface;
+      displacement[p] = target.at(mesh.points[p]).point - mesh.points[p];
+      if (freedom[p] == PointFreedom::inPlane) displacement[p].z() = 0.0;
+      freedom[p] = PointFreedom::given;
+      result.movement = std::max(result.movement, displacement[p].norm() / perMetre);
+    }
+  moveInside(mesh, freedom, displacement);
+  result.points = mesh.points;
+  for (std::size_t i = 0; i < displacement.size(); ++i) result.points[i] += displacement[i];
+  result.departure = departure(mesh, result.points, wallFaces, lumen, surface) / perMetre;
+  return result;
+}
+
+void takeRegions(std::vector<WallFace>& faces, const TriSurface& lumen) {
+  const auto numbers = sidesOf(lumen);
+  const NearestTriangle surface = sides(lumen);
+  for (WallFace& face : faces)
+    face.region = lumen.region[numbers[surface.at(perMetre * face.centre).triangle]];
+}
+
+}  // namespace restenosis

@@ -1,0 +1,109 @@
+#include "PolyMesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <stdexcept>
+
+#include "FoamBinary.h"
+#include "FoamLog.h"
+
+namespace restenosis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path meshFolder = "constant/polyMesh";
+
+std::vector<PolyMesh::Patch> readPatches(const std::string& boundaryFile) {
+  static const std::regex entry(R"((\w+)\s*\{[^}]*nFaces\s+(\d+);[^}]*startFace\s+(\d+);)");
+  std::vector<PolyMesh::Patch> patches;
+  for (std::sregex_iterator it(boundaryFile.begin(), boundaryFile.end(), entry), end; it != end; ++it)
+    patches.push_back({(*it)[1], std::stoul((*it)[3]), std::stoul((*it)[2])});
+  return patches;
+}
+
+/// Whether every index is one of `count` things.
+bool within(const std::vector<std::int32_t>& indices, std::size_t count) {
+  return std::ranges::all_of(indices, [&](auto i) { return i >= 0 && static_cast<std::size_t>(i) < count; });
+}
+
+bool consistent(const PolyMesh& mesh) {
+  const auto& start = mesh.faceStart;
+  const std::size_t cells = mesh.cells();
+  return !start.empty() && start.front() == 0 && std::ranges::is_sorted(start) &&
+         static_cast<std::size_t>(start.back()) == mesh.faceCorners.size() &&
+         within(mesh.faceCorners, mesh.points.size()) && mesh.owner.size() == mesh.faces() &&
+         mesh.neighbour.size() <= mesh.faces() && within(mesh.owner, cells) &&
+         within(mesh.neighbour, cells) && std::ranges::all_of(mesh.patches, [&](const auto& patch) {
+           return patch.start + patch.faces <= mesh.faces();
+         });
+}
+
+}  // namespace
+
+std::size_t PolyMesh::cells() const {
+  std::int32_t last = -1;
+  for (const auto* cellsOfFaces : {&owner, &neighbour})
+    for (const auto cell : *cellsOfFaces) last = std::max(last, cell);
+  return static_cast<std::size_t>(last + 1);
+}
+
+const PolyMesh::Patch* PolyMesh::patch(std::string_view name) const {
+  const auto found = std::ranges::find(patches, name, &Patch::name);
+  return found == patches.end() ? nullptr : &*found;
+}
+
+std::vector<Vec3> PolyMesh::cellCentres() const {
+  std::vector<Vec3> sum(cells(), Vec3::Zero());
+  std::vector<int> count(sum.size(), 0);
+  for (std::size_t f = 0; f < faces(); ++f) {
+    Vec3 middle = Vec3::Zero();
+    for (const auto p : face(f)) middle += points[p];
+    middle /= static_cast<double>(face(f).size());
+    const auto add = [&](std::int32_t cell) { sum[cell] += middle, ++count[cell]; };
+    add(owner[f]);
+    if (f < neighbour.size()) add(neighbour[f]);
+  }
+  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] /= std::max(count[c], 1);
+  return sum;
+}
+
+PolyMesh readPolyMesh(const fs::path& caseFolder) {
+  const fs::path folder = caseFolder / meshFolder;
+  PolyMesh mesh;
+  const auto coordinates = FoamBinary(folder / "points").numbers(3);
+  mesh.points.resize(coordinates.size() / 3);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] = Vec3(&coordinates[3 * i]);
+  FoamBinary faces(folder / "faces");
+  mesh.faceStart = faces.labels();
+  mesh.faceCorners = faces.labels();
+  mesh.owner = FoamBinary(folder / "owner").labels();
+  mesh.neighbour = FoamBinary(folder / "neighbour").labels();
+  mesh.patches = readPatches(foamLog::read(folder / "boundary"));
+  if (!consistent(mesh))
+    throw std::runtime_error(fmt::format("{}: the files do not fit each other", folder.string()));
+  return mesh;
+}
+
+void copyPolyMesh(const fs::path& fromCase, const fs::path& toCase, const std::vector<Vec3>& points) {
+  const fs::path from = fromCase / meshFolder, to = toCase / meshFolder;
+  fs::create_directories(to);
+  for (const char* file : {"faces", "owner", "neighbour", "boundary"})
+    fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing);
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vec3& p : points) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  std::ofstream stream(to / "points", std::ios::binary);
+  stream << "FoamFile\n{\n    version     2.0;\n    format      binary;\n    class       vectorField;\n"
+            "    arch        \"LSB;label=32;scalar=64\";\n    location    \"constant/polyMesh\";\n"
+            "    object      points;\n}\n\n"
+         << foamBinaryList(coordinates, 3) << '\n';
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", (to / "points").string()));
+}
+
+}  // namespace restenosis

@@ -1,0 +1,60 @@
+#include <thread>
+
+#include "OpenFoamPresent.h"
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Every solve starts from the case of the one before, so a resumed run must find the one that its checkpoint
+/// knows, untouched, and not the later ones of the run that was killed.
+class FoamResume : public WholeProgram, public ::testing::WithParamInterface<const char*> {
+ protected:
+  /// Solves at 72, 74, 76 and 78 hours; checkpoints every four.
+  std::string tiny() const {
+    const std::string text = with(with(tinyFoamScene(), "\"4 d\"", "\"78 h\""), "\"6 h\"", "\"4 h\"");
+    return scene("tiny", text +
+                             "[coupling]\nschedule = \"onChange\"\nlumenTolerance = \"1 um\"\nremesh = \"" +
+                             GetParam() + "\"\n");
+  }
+};
+
+TEST_P(FoamResume, aKilledRunStartsFromTheCaseThatItsCheckpointKnows) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const std::string text = tiny();
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "reference"}), 0);
+  const auto flow = summary("reference")["flow"];
+  ASSERT_GE(flow["solvesDone"], 4);
+  if (GetParam() == std::string("onDemand")) {
+    EXPECT_GE(flow["meshesMoved"], 1);
+    EXPECT_EQ(flow["remeshedBecause"]["there was no former mesh"], 1);
+  } else {
+    EXPECT_EQ(flow["meshesMoved"], 0);
+    EXPECT_TRUE(flow["remeshedBecause"].empty());
+  }
+
+  // Killed while it solves at 76 hours: the checkpoint is of 76 hours and knows the flow of 74
+  Process process(command({"run", text, "-o", "out"}), folder.path());
+  while (process.running() && !exists("out/flow/3.16667/system")) std::this_thread::sleep_for(2ms);
+  process.send(SIGKILL);
+  EXPECT_EQ(process.wait(patience).signal, SIGKILL);
+  EXPECT_TRUE(exists("out/flow/3.08333/case.foam"));
+
+  std::filesystem::rename(folder / "out/flow", folder / "out/elsewhere");
+  const ProcessEnd lost = run({"run", text, "-o", "out", "--resume"});
+  EXPECT_EXIT_STATUS(lost, 2);
+  EXPECT_NE(lost.err.find("goes on from the flow in out/flow/3.08333"), std::string::npos) << lost.err;
+  std::filesystem::rename(folder / "out/elsewhere", folder / "out/flow");
+
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "out", "--resume"}), 0);
+  EXPECT_EQ(digest("out"), digest("reference"));
+  EXPECT_EQ(summary("out")["flow"], flow);
+}
+
+INSTANTIATE_TEST_SUITE_P(remesh, FoamResume, ::testing::Values("always", "onDemand"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace restenosis

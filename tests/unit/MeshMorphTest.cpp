@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "MeshMorph.h"
+#include "TubeMesh.h"
+#include "TubeSurface.h"
+
+namespace restenosis {
+namespace {
+
+using namespace testing;
+
+constexpr double radius = 0.9e-3, length = 1.2e-3;
+constexpr int sides = 128;
+
+PolyMesh mesh() { return tubeMesh(radius, length, sides, 4, 6); }
+
+double distanceFromAxis(const Vec3& p) { return std::hypot(p.x(), p.y()); }
+
+TEST(MeshMorph, onItsOwnLumenNothingMoves) {
+  const auto former = mesh();
+  const MeshMorph morph = morphOnto(former, tube(radius, length));
+  EXPECT_LT(morph.movement, 1e-12);
+  EXPECT_LT(morph.departure, 1e-12);
+  for (std::size_t i = 0; i < former.points.size(); ++i)
+    EXPECT_LT((morph.points[i] - former.points[i]).norm(), 1e-9);
+}
+
+TEST(MeshMorph, theWallLiesOnTheNarrowerLumenAndTheEndsStayPlanar) {
+  const auto former = mesh();
+  constexpr double narrower = 0.89e-3;
+  const MeshMorph morph = morphOnto(former, tube(narrower, length));
+  EXPECT_NEAR(morph.movement, radius - narrower, 1e-8);
+  EXPECT_LT(morph.departure, 1e-12);
+  const auto exact = tubeMesh(narrower, length, sides, 4, 6);
+  const auto* wall = former.patch("wall");
+  for (std::size_t f = wall->start; f < wall->start + wall->faces; ++f)
+    for (const auto p : former.face(f)) EXPECT_LT((morph.points[p] - exact.points[p]).norm(), 1e-9);
+  for (std::size_t i = 0; i < former.points.size(); ++i) {
+    EXPECT_NEAR(morph.points[i].z(), former.points[i].z(), 1e-9);
+    // Everything moves inwards, at most as far as the wall
+    const double inwards = distanceFromAxis(former.points[i]) - distanceFromAxis(morph.points[i]);
+    EXPECT_GE(inwards, -1e-3 * 1e3 * (radius - narrower));
+    EXPECT_LE(inwards, 1e3 * (radius - narrower) * 1.001);
+  }
+}
+
+TEST(MeshMorph, whatTheMeshMissesShowsAsDeparture) {
+  // A ring stands in from the lumen half way along, between two layers of the mesh's points
+  std::vector<ProfilePoint> profile = {{radius, 0},        {radius, 0.65e-3}, {0.86e-3, 0.69e-3},
+                                       {0.86e-3, 0.71e-3}, {radius, 0.75e-3}, {radius, length}};
+  const MeshMorph morph = morphOnto(mesh(), revolve(profile));
+  EXPECT_LT(morph.movement, 1e-8);
+  EXPECT_GT(morph.departure, 0.03e-3);
+}
+
+TEST(MeshMorph, endsMustStayWhereTheyAre) {
+  EXPECT_THROW(morphOnto(mesh(), tube(radius, 1.01 * length)), std::runtime_error);
+}
+
+TEST(MeshMorph, facesTakeTheRegionOfTheLumen) {
+  const auto lumen = stentedTube(radius, length, 90e-6);
+  std::vector<WallFace> faces = {{.centre = {radius, 0, 0.1e-3}, .region = SurfaceRegion::strut},
+                                 {.centre = {0.81e-3, 0, 0.6e-3}, .region = SurfaceRegion::wall}};
+  takeRegions(faces, lumen);
+  EXPECT_EQ(faces[0].region, SurfaceRegion::wall);
+  EXPECT_EQ(faces[1].region, SurfaceRegion::strut);
+}
+
+}  // namespace
+}  // namespace restenosis
