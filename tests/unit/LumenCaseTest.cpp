@@ -144,5 +144,15 @@ TEST(FoamTemplate, foreignFilesAreNotOverwritten) {
   EXPECT_THROW(copyFoamTemplate(foamTemplate(), scratch.path()), std::runtime_error);
 }
 
+TEST(FoamTemplate, whatAKilledRunLeftHalfCopiedDoesNotMatter) {
+  const TemporaryFolder scratch;
+  std::filesystem::create_directories(scratch / "case.partial/system");
+  writeText(scratch / "case.partial/stray", "");
+  copyFoamTemplate(foamTemplate(), scratch / "case");
+  EXPECT_TRUE(std::filesystem::exists(scratch / "case/system/lumenParameters"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "case/stray"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "case.partial"));
+}
+
 }  // namespace
 }  // namespace restenosis
