@@ -61,8 +61,9 @@ TEST(MeshMorph, endsMustStayWhereTheyAre) {
 
 TEST(MeshMorph, facesTakeTheRegionOfTheLumen) {
   const auto lumen = stentedTube(radius, length, 90e-6);
-  std::vector<WallFace> faces = {{.centre = {radius, 0, 0.1e-3}, .region = SurfaceRegion::strut},
-                                 {.centre = {0.81e-3, 0, 0.6e-3}, .region = SurfaceRegion::wall}};
+  const Vec3 onWall(radius, 0, 0.1e-3), onStrut(0.81e-3, 0, 0.6e-3);
+  std::vector<WallFace> faces = {{onWall, 1e-10, Vec3::Zero(), SurfaceRegion::strut},
+                                 {onStrut, 1e-10, Vec3::Zero(), SurfaceRegion::wall}};
   takeRegions(faces, lumen);
   EXPECT_EQ(faces[0].region, SurfaceRegion::wall);
   EXPECT_EQ(faces[1].region, SurfaceRegion::strut);

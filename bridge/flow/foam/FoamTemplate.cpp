@@ -29,7 +29,7 @@ fs::path foamTemplate() {
   std::string tried;
   for (const auto& folder : candidates) {
     if (fs::is_regular_file(folder / mark)) return folder;
-    tried += " " + folder.string();
+    tried += fmt::format(" {}", folder.string());
   }
   throw std::runtime_error(fmt::format("no OpenFOAM case template (with {}) in:{}", mark.string(), tried));
 }
