@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "Biology.h"
+#include "FlowBackendNames.h"
 #include "Run.h"
 #include "SceneChecks.h"
 #include "World.h"
@@ -46,10 +47,12 @@ std::string flowSchedule(const Scene& scene) {
     return fmt::format("in every one of the {} steps (coupling.schedule = \"everyStep\")",
                        stepCount(scene.scene) + 1);
   std::string text = fmt::format(
-      "from the first covered cell (not before day {:g}), when the lumen has moved more than {:g} um and a "
-      "covered cell "
-      "could still cycle",
-      Biology(biologySettings(scene)).endotheliumOnset() / day, scene.coupling.lumenTolerance * 1e6);
+      "from the first covered cell (not before day {:g}), when a covered cell could still cycle and the "
+      "lumen "
+      "has moved more than {:g} um over 1 % of it, or at {:g} % of the covered cells near the stress that "
+      "arrests them",
+      Biology(biologySettings(scene)).endotheliumOnset() / day, scene.coupling.lumenTolerance * 1e6,
+      scene.coupling.undecidedShare * 100);
   if (nothingCanBeExposed(scene))
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
@@ -93,6 +96,11 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
       noFlow.empty() ? "when the flow may be due, and at recorded steps" : "at recorded steps only");
   add("flow" + (noFlow.empty() ? " (" + scene.flow->backend + ")" : ""), noFlow.empty(),
       noFlow.empty() ? flowSchedule(scene) : noFlow);
+  if (noFlow.empty() && scene.flow->backend == flowBackendNames::foam && tissue)
+    add("mesh", true,
+        scene.coupling.remesh == "always"
+            ? "made anew for every solve"
+            : "moved with the wall, and made anew where that is not good enough");
   add("nitric oxide", noFlow.empty() && tissue,
       noFlow.empty() && tissue ? "after the endothelium, from the last flow's wall shear stress"
                                : "no wall shear stress");
