@@ -73,12 +73,14 @@ void resolve(Scene& scene, const SceneDocument& document) {
   if (stent != nullptr && scene.stent->design == "ring" && stent->values.count("length") == 0) {
     scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
   }
-  // Of the cell sizes, those not given are the fidelity's.
+  // What makes a fidelity, where it is not given.
   if (const GivenSection* given = document.find(FoamSettings::section)) {
     const FoamSettings level = FoamSettings::forFidelity(scene.scene.fidelity);
     if (!given->values.contains("cellSize")) scene.foam->cellSize = level.cellSize;
     if (!given->values.contains("wallLevel")) scene.foam->wallLevel = level.wallLevel;
     if (!given->values.contains("strutLevel")) scene.foam->strutLevel = level.strutLevel;
+    if (!given->values.contains("bufferCells")) scene.foam->bufferCells = level.bufferCells;
+    if (!given->values.contains("snapIterations")) scene.foam->snapIterations = level.snapIterations;
   }
 }
 

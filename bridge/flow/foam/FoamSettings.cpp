@@ -13,11 +13,12 @@ struct Level {
   std::string_view fidelity;
   double cellSize;  // [m]
   int wallLevel, strutLevel;
+  int bufferCells, snapIterations;
 };
 
 /// Cell sizes at core, wall and strut: 90, 45, 22.5; 60, 30, 15; 45, 22.5, 11.25 um.
-constexpr std::array levels = {Level{"draft", 90e-6, 1, 2}, Level{"standard", 60e-6, 1, 2},
-                               Level{"reference", 45e-6, 1, 2}};
+constexpr std::array levels = {Level{"draft", 90e-6, 1, 2, 1, 3}, Level{"standard", 60e-6, 1, 2, 2, 5},
+                               Level{"reference", 45e-6, 1, 2, 2, 5}};
 
 }  // namespace
 
@@ -41,6 +42,16 @@ void FoamSettings::describe(ParameterVisitor& p) {
                          .maximum = 8,
                          .source = "assumed",
                          .description = "how often cells are halved at struts"});
+  p.integer(bufferCells, {.key = "bufferCells",
+                          .minimum = 1,
+                          .maximum = 16,
+                          .source = "docs/results/speed.md",
+                          .description = "rows of cells between one size and the next"});
+  p.integer(snapIterations, {.key = "snapIterations",
+                             .minimum = 1,
+                             .maximum = 100,
+                             .source = "docs/results/speed.md",
+                             .description = "iterations that move the mesh's wall onto the surface"});
   p.quantity(tolerance, {.key = "tolerance",
                          .minimum = 0,
                          .maximum = 1,
@@ -126,6 +137,8 @@ FoamSettings FoamSettings::forFidelity(std::string_view fidelity) {
       settings.cellSize = level.cellSize;
       settings.wallLevel = level.wallLevel;
       settings.strutLevel = level.strutLevel;
+      settings.bufferCells = level.bufferCells;
+      settings.snapIterations = level.snapIterations;
       return settings;
     }
   throw std::invalid_argument(

@@ -152,7 +152,10 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
   parameters.set("coreLevel", std::to_string(level));
   parameters.set("wallLevel", std::to_string(level + settings.wallLevel));
   parameters.set("strutLevel", std::to_string(level + settings.strutLevel));
+  parameters.set("bufferCells", std::to_string(settings.bufferCells));
   parameters.set("meshing", robust ? "thorough" : "quick");
+  parameters.set("snapIterations",
+                 std::to_string(robust ? 2 * settings.snapIterations : settings.snapIterations));
   const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
   parameters.set("iterations", std::to_string(robust ? 2 * iterations : iterations));
   parameters.set("tolerance", settings.tolerance);

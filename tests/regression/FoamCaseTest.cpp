@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <fstream>
+
+#include "DictionaryText.h"
+#include "FoamLog.h"
+#include "FoamTemplate.h"
+#include "OpenFoamPresent.h"
+#include "Process.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The case template as a user starts it: by its own Allrun, without this program.
+class FoamCase : public ::testing::TestWithParam<int> {
+ protected:
+  TemporaryFolder folder;
+};
+
+std::vector<fs::path> entriesOf(const fs::path& at) {
+  std::vector<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(at)) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST_P(FoamCase, runsByHandAndIsCleanedUp) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const fs::path at = folder / "case";
+  fs::copy(foamTemplate(), at, fs::copy_options::recursive);
+  const auto before = entriesOf(at);
+  auto numbers = DictionaryText(foamLog::read(at / "system/lumenParameters"));
+  numbers.set("ranks", std::to_string(GetParam()));
+  std::ofstream(at / "system/lumenParameters") << numbers.text();
+
+  const ProcessEnd end = Process({(at / "Allrun").string()}, folder.path()).wait(std::chrono::minutes(5));
+  ASSERT_EQ(end.status, 0) << toString(end);
+  EXPECT_EQ(foamLog::read(at / "log.blockMesh").find("Warning"), std::string::npos);
+  const auto iterations = foamLog::convergedAfter(foamLog::read(at / "log.simpleFoam"));
+  ASSERT_TRUE(iterations.has_value());
+  const std::string last = std::to_string(*iterations);
+  for (const char* patch : {"wall.vtp", "strut.vtp"})
+    EXPECT_TRUE(fs::exists(at / "postProcessing/surface" / last / patch)) << patch;
+  for (const auto& file : {fs::path(last) / "U", fs::path(last) / "wallShearStress",
+                           fs::path("constant/polyMesh/faces"), fs::path("case.foam")})
+    EXPECT_TRUE(fs::exists(at / file)) << file;
+
+  ASSERT_EQ(Process({(at / "Allclean").string()}, folder.path()).wait(std::chrono::minutes(1)).status, 0);
+  EXPECT_EQ(entriesOf(at), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(OnRanks, FoamCase, ::testing::Values(1, 2));
+
+}  // namespace
+}  // namespace restenosis
