@@ -48,6 +48,8 @@ struct PlaneLists {
   }
 };
 
+constexpr int vector = 8;  ///< floats that most processors work on at once
+
 }  // namespace
 
 GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, double clip) {
@@ -60,17 +62,18 @@ GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, doub
       const double reach = s.radius + clip, dz = g.z(k) - s.centre.z();
       const double inPlane = reach * reach - dz * dz;
       if (inPlane < 0) continue;
-      const Range rows(s.centre.y(), std::sqrt(inPlane), g.y(0), g.spacing, g.ny);
+      // The square around the circle within reach, its sides rounded up to whole vectors: nodes outside are
+      // farther than `clip` and keep their value, and to find the circle's ends in each row would cost more.
+      const double halfWidth = std::sqrt(inPlane);
+      const Range rows(s.centre.y(), halfWidth, g.y(0), g.spacing, g.ny);
+      const Range nodes(s.centre.x(), halfWidth, g.x(0), g.spacing, g.nx);
+      const int count = std::min(g.nx - nodes.first, (nodes.last - nodes.first + vector) / vector * vector);
+      const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
+      const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
       for (int j = rows.first; j <= rows.last; ++j) {
         const double dy = g.y(j) - s.centre.y();
-        const double rest = inPlane - dy * dy;
-        if (rest < 0) continue;
-        const Range nodes(s.centre.x(), std::sqrt(rest), g.x(0), g.spacing, g.nx);
-        const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
-        const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
         const float fixedPart = static_cast<float>(dy * dy + dz * dz);
         float* row = field.values.data() + g.row(j, k) + nodes.first;
-        const int count = nodes.last - nodes.first + 1;
 #pragma omp simd
         for (int i = 0; i < count; ++i) {
           const float dx = offset + static_cast<float>(i) * spacing;

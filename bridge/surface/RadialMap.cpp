@@ -12,15 +12,18 @@ namespace {
 /// First root of the field along a ray of direction (c, s) in plane k, or `limit` if there is none.
 double castRay(const GridField& field, int k, double c, double s, double limit) {
   auto value = [&](double r) { return field.inPlane(r * c, r * s, k); };
-  const double step = 0.5 * field.grid.spacing;
+  const double least = 0.5 * field.grid.spacing;
   double before = 0, valueBefore = value(0);
   if (valueBefore <= 0) return 0;
   for (;;) {
+    // A distance falls by no more than the way, its trilinear interpolation and rounded joints by less than
+    // twice the way.
+    const double step = std::max(least, 0.5 * valueBefore);
     double r = before + step, v = value(r);
     if (v <= 0) {
       // Within a step the bilinear function is nearly linear: false position with the Illinois rule.
       double low = before, fLow = valueBefore, high = r, fHigh = v;
-      for (int n = 0; n < 20 && high - low > 1e-9 * step; ++n) {
+      for (int n = 0; n < 20 && high - low > 1e-9 * least; ++n) {
         r = low + (high - low) * fLow / (fLow - fHigh);
         v = value(r);
         if (v > 0) {
@@ -30,7 +33,7 @@ double castRay(const GridField& field, int k, double c, double s, double limit) 
         } else {
           break;
         }
-        if (std::abs(v) < 1e-6 * step) break;
+        if (std::abs(v) < 1e-6 * least) break;
       }
       return r;
     }
