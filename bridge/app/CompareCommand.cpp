@@ -94,6 +94,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
                                    .foam = scene.foam,
                                    .lbm = lbm,
+                                   .straightEnds = scene.flow->straightEnds,
                                    .keepVelocities = true,
                                    .ranks = arguments.ranks,
                                    .stopRequested = stopRequested};

@@ -175,6 +175,7 @@ void Run::buildSchedule() {
       scene_.flow ? makeFlowBackend(scene_.flow->backend, {.fidelity = scene_.scene.fidelity,
                                                            .foam = scene_.foam,
                                                            .lbm = scene_.lbm,
+                                                           .straightEnds = scene_.flow->straightEnds,
                                                            .moveMesh = scene_.coupling.remesh == "onDemand",
                                                            .ranks = options_.ranks,
                                                            .stopRequested = options_.stopRequested})

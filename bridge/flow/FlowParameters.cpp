@@ -39,6 +39,13 @@ void FlowParameters::describe(ParameterVisitor& p) {
                                   .maximum = 1,
                                   .source = "ISR3D",
                                   .description = "kinematic viscosity of blood"});
+  p.quantity(straightEnds, {.key = "straightEnds",
+                            .unit = "mm",
+                            .minimum = 0,
+                            .maximum = 1000,
+                            .source = "assumed",
+                            .description = "length of straight tube that the flow is solved in before the "
+                                           "lumen's inlet and behind its outlet"});
 }
 
 FlowConditions FlowParameters::conditions(double lumenDiameter) const {

@@ -19,6 +19,7 @@ struct FlowParameters {
   double pressureGradient = 3547.0;    ///< -dp/dz [Pa/m]; what meanVelocity needs in a lumen of 1.8 mm
   double density = 1000.0;             ///< [kg/m^3]
   double kinematicViscosity = 2.7e-6;  ///< [m^2/s]
+  double straightEnds = 0.0;           ///< of straight tube before the inlet and behind the outlet [m]
 
   void describe(ParameterVisitor& p);
   /// The conditions a backend solves for; the flow rate is the mean velocity times the undeformed lumen's

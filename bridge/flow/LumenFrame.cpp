@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "LumenShape.h"
+#include "Rotation.h"
 
 namespace restenosis {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr double parallelWithin = 0.1 * std::numbers::pi / 180;
 
 Eigen::Isometry3d frameFrom(const Vec3& axis, const Vec3& origin) {
-  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(axis, Vec3::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d turn = rotationOnto(axis, Vec3::UnitZ());
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.linear() = turn;
   frame.translation() = -(turn * origin);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "Rotation.h"
 #include "TriSurface.h"
 
 namespace restenosis::testing {
@@ -74,8 +75,7 @@ inline TriSurface moved(TriSurface surface, const Eigen::Isometry3d& motion) {
 /// The motion that turns z into a direction and the origin into a place [m].
 inline Eigen::Isometry3d motionTo(const Vec3& direction, const Vec3& place) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), direction.normalized()).toRotationMatrix();
+  motion.linear() = rotationOnto(Vec3::UnitZ(), direction);
   motion.translation() = place;
   return motion;
 }

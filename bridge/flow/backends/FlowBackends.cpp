@@ -7,6 +7,7 @@
 #include "FlowBackendNames.h"
 #include "FoamBackend.h"
 #include "LbmBackend.h"
+#include "StraightEnds.h"
 
 namespace restenosis {
 
@@ -36,7 +37,12 @@ const std::vector<FlowBackendEntry>& flowBackends() {
 std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBackendOptions& options) {
   if (name == flowBackendNames::none) return nullptr;
   for (const auto& entry : flowBackends())
-    if (entry.name == name) return entry.make(options);
+    if (entry.name == name) {
+      auto backend = entry.make(options);
+      if (options.straightEnds > 0.0)
+        backend = std::make_unique<StraightEnds>(std::move(backend), options.straightEnds);
+      return backend;
+    }
   throw std::invalid_argument(fmt::format("there is no flow backend '{}'; valid names: {}", name,
                                           fmt::join(flowBackendNames::all(), ", ")));
 }

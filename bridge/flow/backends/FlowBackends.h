@@ -18,6 +18,7 @@ struct FlowBackendOptions {
   std::string fidelity = "standard";                 ///< draft, standard or reference
   std::optional<FoamSettings> foam = std::nullopt;   ///< instead of those of the fidelity
   std::optional<LbmSettings> lbm = std::nullopt;     ///< the same
+  double straightEnds = 0.0;                         ///< FlowParameters::straightEnds [m]
   bool keepVelocities = false;                       ///< for FlowBackend::velocities; costs memory
   bool moveMesh = false;                             ///< rather than mesh each lumen anew (foam)
   int ranks = 1;                                     ///< processes that may work on one flow

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "LumenShape.h"
+#include "Rotation.h"
 
 namespace restenosis {
 namespace {
@@ -66,7 +67,7 @@ InletProfile developedProfile(const TriSurface& lumen) {
   InletProfile profile;
   profile.centre = inlet.centre;
   profile.direction = -inlet.normal;
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), profile.direction);
+  const Eigen::Matrix3d turn = rotationOnto(Vec3::UnitZ(), profile.direction);
   profile.xAxis = turn * Vec3::UnitX();
   profile.yAxis = turn * Vec3::UnitY();
   profile.radius = std::sqrt(inlet.area / std::numbers::pi);

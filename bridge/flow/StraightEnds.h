@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "FlowBackend.h"
+
+namespace restenosis {
+
+/// The lumen with both ends carried on straight, along their outward normals, by `length` [m] > 0, as region
+/// `wall`. The lumen must pass requireLumenWithPlanarEnds; throws std::invalid_argument where an end is
+/// missing or not planar.
+TriSurface withStraightEnds(const TriSurface& lumen, double length);
+
+/// Solves by another backend in the lumen with straight ends, so that what is given at the inlet and outlet
+/// (a developed profile, a uniform pressure) holds upstream and downstream of the lumen instead of in it. The
+/// wall of the solution is the lumen's alone; pressure drop and mesh are those of the whole.
+class StraightEnds : public FlowBackend {
+ public:
+  StraightEnds(std::unique_ptr<FlowBackend> backend, double length)
+      : backend_(std::move(backend)), length_(length) {}
+  std::string_view name() const override { return backend_->name(); }
+  FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
+                     const std::filesystem::path& caseFolder) override;
+  void startFrom(const std::filesystem::path& formerCase) override { backend_->startFrom(formerCase); }
+  bool needsFormerCase() const override { return backend_->needsFormerCase(); }
+  std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override {
+    return backend_->velocities(points);
+  }
+
+ private:
+  std::unique_ptr<FlowBackend> backend_;
+  double length_;  ///< of each straight end [m]
+};
+
+}  // namespace restenosis
