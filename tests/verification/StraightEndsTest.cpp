@@ -20,8 +20,8 @@ double meanStress(const FlowSolution& s) {
   return sum / area;
 }
 
-/// A ring of a tenth of the radius, 0.2 mm from both ends: the flow that it disturbs is cut off there. Measured
-/// against ends of three radii: 12 % too much stress without, 0.4 % too little with a radius.
+/// A ring of a tenth of the radius, 0.2 mm from both ends: the flow that it disturbs is cut off there.
+/// Measured against ends of three radii: 12 % too much stress without, 0.4 % too little with a radius.
 TEST(StraightEnds, aRingNearTheEndsFeelsThatTheVesselGoesOn) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const TemporaryFolder scratch;
