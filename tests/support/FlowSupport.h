@@ -21,6 +21,13 @@ inline FlowConditions vesselConditions() {
 /// 4 mu U / R [Pa]
 inline double vesselStress() { return 4.0 * 2.7e-3 * meanVelocity / vesselRadius; }
 
+/// Area-weighted mean of the stress on wall and struts [Pa].
+inline double meanStress(const FlowSolution& solution) {
+  double sum = 0.0, area = 0.0;
+  for (const WallFace& f : solution.wall) sum += f.area * f.traction.norm(), area += f.area;
+  return sum / area;
+}
+
 /// Departure of the traction's magnitude from the expected one on the faces from `zLow` to `zHigh`,
 /// area-weighted and relative to `scale`.
 struct StressError {

@@ -15,12 +15,6 @@ namespace {
 
 using namespace testing;
 
-double meanStress(const FlowSolution& solution) {
-  double sum = 0.0, area = 0.0;
-  for (const WallFace& f : solution.wall) sum += f.area * f.traction.norm(), area += f.area;
-  return sum / area;
-}
-
 /// Area-weighted L2 difference of `a` from the nearest face of `b`, against the mean stress.
 double l2Difference(const FlowSolution& a, const FlowSolution& b) {
   double sum = 0.0, area = 0.0;

@@ -13,13 +13,6 @@ namespace {
 
 using namespace testing;
 
-/// Mean stress on wall and strut [Pa].
-double meanStress(const FlowSolution& s) {
-  double sum = 0.0, area = 0.0;
-  for (const WallFace& f : s.wall) sum += f.area * f.traction.norm(), area += f.area;
-  return sum / area;
-}
-
 /// A ring of a tenth of the radius, 0.2 mm from both ends: the flow that it disturbs is cut off there.
 /// Measured against ends of three radii: 12 % too much stress without, 0.4 % too little with a radius.
 TEST(StraightEnds, aRingNearTheEndsFeelsThatTheVesselGoesOn) {
