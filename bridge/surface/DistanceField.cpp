@@ -48,7 +48,7 @@ struct PlaneLists {
   }
 };
 
-constexpr int vector = 8;  ///< floats that most processors work on at once
+constexpr int vectorWidth = 8;  ///< floats that most processors work on at once
 
 }  // namespace
 
@@ -67,7 +67,8 @@ GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, doub
       const double halfWidth = std::sqrt(inPlane);
       const Range rows(s.centre.y(), halfWidth, g.y(0), g.spacing, g.ny);
       const Range nodes(s.centre.x(), halfWidth, g.x(0), g.spacing, g.nx);
-      const int count = std::min(g.nx - nodes.first, (nodes.last - nodes.first + vector) / vector * vector);
+      const int count =
+          std::min(g.nx - nodes.first, (nodes.last - nodes.first + vectorWidth) / vectorWidth * vectorWidth);
       const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
       const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
       for (int j = rows.first; j <= rows.last; ++j) {
