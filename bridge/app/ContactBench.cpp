@@ -31,8 +31,8 @@ struct Workload {
     range = ForceField(mechanics).range(skinOverRadius * vessel.cellRadius);
     neighbours.build(wall.agents, range);
     pairs.build(neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0);
-    fixed = packSpheres(wall.agents, scale);
-    exact = packSpheres(wall.agents);
+    fixed = packSpheres(wall.agents, pairs.nobody(), scale);
+    exact = packSpheres(wall.agents, pairs.nobody());
     all.resize(wall.agents.size());
     std::iota(all.begin(), all.end(), Index{0});
     for (const Index i : all) {

@@ -186,10 +186,12 @@ void Run::buildSchedule() {
   if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));
   schedule_->add(std::make_unique<LumenPart>(world_));
   flowNeedsFormerCase_ = backend && backend->needsFormerCase();
-  if (backend) schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
-  if (scene_.endothelium) {
-    schedule_->add(std::make_unique<WallShearPart>(world_));
-    schedule_->add(std::make_unique<NitricOxidePart>(world_));
+  if (backend) {
+    schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
+    if (scene_.endothelium) {
+      schedule_->add(std::make_unique<WallShearPart>(world_));
+      schedule_->add(std::make_unique<NitricOxidePart>(world_));
+    }
   }
   auto record = std::make_unique<RecordPart>(world_);
   record_ = record.get();

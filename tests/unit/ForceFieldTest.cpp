@@ -92,15 +92,15 @@ TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
   Heap heap(500);
   std::vector<Index> all(heap.agents.size());
   std::iota(all.begin(), all.end(), Index{0});
-  const auto exact = packSpheres(heap.agents);
   const FixedScale scale(r0);
-  const auto fixed = packSpheres(heap.agents, scale);
   std::vector<AgentLoad> expected[2];
   for (const double skin : {0.0, 0.1 * r0, r0, 5 * r0}) {
     NeighbourList list;
     list.build(heap.agents, field.range(skin));
     PairTable pairs;
     pairs.build(list, heap.bonds, heap.agents.flags, true);
+    const auto exact = packSpheres(heap.agents, pairs.nobody());
+    const auto fixed = packSpheres(heap.agents, pairs.nobody(), scale);
     for (const bool mixed : {false, true}) {
       std::vector<AgentLoad> loads(heap.agents.size());
       if (mixed) {
@@ -126,7 +126,7 @@ std::vector<AgentLoad> mixedLoads(const ForceField& field, const AgentStore& age
   PairTable pairs;
   pairs.build(list, bonds, agents.flags, true);
   const FixedScale scale(r0);
-  const auto fixed = packSpheres(agents, scale);
+  const auto fixed = packSpheres(agents, pairs.nobody(), scale);
   std::vector<AgentLoad> loads(subset.size());
   field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, subset, loads);
   return loads;

@@ -18,7 +18,7 @@ std::vector<std::pair<Index, float>> partners(const PairTable& table, Index i) {
   std::vector<std::pair<Index, float>> row;
   for (const PairTable::Block& block : table.group(i / laneCount)) {
     const Index partner = block.partner[i % laneCount];
-    if (partner != table.size()) row.emplace_back(partner, block.rest[i % laneCount]);
+    if (partner != table.nobody()) row.emplace_back(partner, block.rest[i % laneCount]);
   }
   return row;
 }

@@ -35,7 +35,7 @@ std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const Bond
   std::vector<Index> all(agents.size());
   std::iota(all.begin(), all.end(), Index{0});
   std::vector<AgentLoad> loads(agents.size());
-  const std::vector<Sphere> spheres = packSpheres(agents);
+  const std::vector<Sphere> spheres = packSpheres(agents, pairs.nobody());
   evaluate(ExactSpheres(spheres), pairs, all, loads);
   return loads;
 }

@@ -51,7 +51,7 @@ class PairForces {
   bool sum(std::size_t g, int first, std::array<AgentLoad, laneCount>& loads) const {
     std::array<Index, lanes> self;
     const auto firstAgent = static_cast<Index>(g * laneCount) + static_cast<Index>(first);
-    for (Index k = 0; k < self.size(); ++k) self[k] = std::min(firstAgent + k, pairs_.size());
+    for (Index k = 0; k < self.size(); ++k) self[k] = std::min(firstAgent + k, pairs_.nobody());
     const auto here = spheres_.at(self.data());
     const bool allBondsAlike = attraction_.axialFactor == 1;
     Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};

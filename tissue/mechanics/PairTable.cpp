@@ -51,7 +51,8 @@ constexpr double mostAbandoned = 0.25;
 void PairTable::build(const NeighbourList& neighbours, const BondTable& bonds,
                       std::span<const std::uint8_t> flags, bool daughters) {
   size_ = neighbours.size();
-  const std::size_t groups = (size_ + std::size_t{laneCount} - 1) / laneCount;
+  nobody_ = size_ + size_ / 8;
+  const std::size_t groups = groupCount();
   rows_.resize(groups);
   marked_.assign(groups, 0);
   abandoned_ = 0;
@@ -68,6 +69,10 @@ void PairTable::build(const NeighbourList& neighbours, const BondTable& bonds,
 
 void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
                        std::span<const std::uint8_t> flags, bool daughters, std::span<const Index> changed) {
+  size_ = neighbours.size();
+  makeRoom(rows_, groupCount());
+  rows_.resize(groupCount());
+  marked_.resize(groupCount(), 0);
   std::vector<std::size_t> groups;
   for (const Index i : changed) groups.push_back(i / laneCount);
   std::ranges::sort(groups);
@@ -106,7 +111,7 @@ void PairTable::fill(std::size_t g, const NeighbourList& neighbours, const BondT
       });
     }
     for (; k < end; ++k) {
-      blocks_[k].partner[lane] = size_;
+      blocks_[k].partner[lane] = nobody_;
       blocks_[k].rest[lane] = std::numeric_limits<float>::infinity();
     }
   }

@@ -18,7 +18,7 @@ namespace restenosis {
 class PairTable {
  public:
   /// The k-th partner of each agent of a group. Rows that are shorter than the longest of their group end in
-  /// the index that follows the last agent's.
+  /// nobody().
   struct alignas(64) Block {
     std::array<Index, laneCount> partner;
     /// Rest length of the bond [m], infinite where there is none. Negative where either of the pair is a
@@ -30,11 +30,15 @@ class PairTable {
   /// same number of agents.
   void build(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
              bool daughters);
-  /// The same where, since the last build or update, only the neighbours of the agents `changed` did.
+  /// The same where, since the last build or update, only the neighbours of the agents `changed` did. Agents
+  /// appended since are among these, and all fit below nobody().
   void update(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
               bool daughters, std::span<const Index> changed);
 
   Index size() const { return size_; }
+  /// An index that no agent has; there is room for an eighth more agents below it than there were when the
+  /// table was built.
+  Index nobody() const { return nobody_; }
   /// The blocks of group g: agents [laneCount g, laneCount (g + 1)).
   std::span<const Block> group(std::size_t g) const {
     return {blocks_.data() + rows_[g].start, rows_[g].count};
@@ -46,12 +50,13 @@ class PairTable {
  private:
   /// Where a group's blocks are, and how many there is room for.
   struct Row {
-    std::uint32_t start, count, room;
+    std::uint32_t start = 0, count = 0, room = 0;
   };
+  std::size_t groupCount() const { return (size_ + std::size_t{laneCount} - 1) / laneCount; }
   void fill(std::size_t g, const NeighbourList& neighbours, const BondTable& bonds,
             std::span<const std::uint8_t> flags, bool daughters);
 
-  Index size_ = 0;
+  Index size_ = 0, nobody_ = 0;
   std::vector<Block> blocks_;
   std::vector<Row> rows_;
   std::size_t abandoned_ = 0;  ///< blocks that no row uses any more

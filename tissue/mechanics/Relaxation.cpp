@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "AgentForces.h"
 #include "Minimiser.h"
 #include "RelaxingAgents.h"
 
@@ -28,6 +31,16 @@ constexpr double skinOverRadius = 0.4;
 
 }  // namespace
 
+struct Relaxation::Standing {
+  Standing(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
+           const ForceField& field, NeighbourList& neighbours, const AgentForces::Settings& settings,
+           double tolerance)
+      : forces(agents, bonds, constraints, field, neighbours, settings), relaxing(forces, tolerance) {}
+
+  AgentForces forces;
+  RelaxingAgents relaxing;
+};
+
 Relaxation::Relaxation(const MechanicsParameters& parameters, double referenceRadius)
     : parameters_(parameters),
       field_(parameters),
@@ -36,19 +49,13 @@ Relaxation::Relaxation(const MechanicsParameters& parameters, double referenceRa
   makeMinimiser(parameters);  // an unknown name is an error now, not at the first relaxation
 }
 
-std::optional<FixedScale> Relaxation::scaleFor(const AgentStore& agents, const BondTable& bonds) const {
+Relaxation::~Relaxation() = default;
+
+std::optional<FixedScale> Relaxation::mixedScale() const {
   if (parameters_.precision == "double") return std::nullopt;
   if (parameters_.precision == "automatic" && parameters_.tolerance < leastMixedTolerance)
     return std::nullopt;
-  const FixedScale scale(referenceRadius_);
-  const double within = scale.reach() / 4;
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (agents.radius[i] > within) return std::nullopt;
-    for (const Bond& bond : bonds.of(i)) {
-      if ((agents.position(i) - agents.position(bond.partner)).norm() > within) return std::nullopt;
-    }
-  }
-  return scale;
+  return FixedScale(referenceRadius_);
 }
 
 Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
@@ -61,10 +68,36 @@ Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
 
 RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
                                    std::span<const Constraint* const> constraints) {
-  const double tolerance = parameters_.tolerance * characteristicForce_, settled = settledShare * tolerance;
-  RelaxingAgents relaxing(agents, bonds, constraints, field_,
-                          softestContact * parameters_.contactModulus * referenceRadius_, tolerance,
-                          neighbours_, skinOverRadius * referenceRadius_, scaleFor(agents, bonds));
+  standing_.reset();
+  const RelaxationReport report = relaxAgain(agents, bonds, constraints);
+  standing_.reset();
+  return report;
+}
+
+RelaxationReport Relaxation::relaxAgain(AgentStore& agents, const BondTable& bonds,
+                                        std::span<const Constraint* const> constraints) {
+  // Should anything be thrown below, nothing is kept.
+  std::unique_ptr<Standing> standing = std::move(standing_);
+  if (standing) {
+    standing->forces.refresh();
+  } else {
+    const AgentForces::Settings settings{
+        .softest = softestContact * parameters_.contactModulus * referenceRadius_,
+        .skin = skinOverRadius * referenceRadius_,
+        .scale = mixedScale()};
+    standing = std::make_unique<Standing>(agents, bonds, constraints, field_, neighbours_, settings,
+                                          parameters_.tolerance * characteristicForce_);
+  }
+  const RelaxationReport report = settle(*standing);
+  if (report.converged) standing_ = std::move(standing);
+  return report;
+}
+
+RelaxationReport Relaxation::settle(Standing& standing) const {
+  RelaxingAgents& relaxing = standing.relaxing;
+  const std::uint64_t evaluationsBefore = standing.forces.evaluations();
+  const double settled = settledShare * parameters_.tolerance * characteristicForce_;
+  relaxing.begin();
   const auto minimiser = makeMinimiser(parameters_);
 
   RelaxationReport report;
@@ -81,15 +114,14 @@ RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
   }
   if (!report.converged) relaxing.wakeAnyone();  // so that the residual reported is that of all agents
   report.residual = relaxing.residual() / characteristicForce_;
-  report.agentEvaluations = relaxing.evaluations();
+  report.agentEvaluations = standing.forces.evaluations() - evaluationsBefore;
   if (!report.converged && !parameters_.stopAtMaximum) {
     throw RelaxationFailed(fmt::format(
         "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations = {}: the "
-        "force on "
-        "agent {} is still {:.3g} times C r0^2. Allow more iterations or a larger tolerance, or set "
+        "force on agent {} is still {:.3g} times C r0^2. Allow more iterations or a larger tolerance, or set "
         "mechanics.stopAtMaximum = true to go on with what was reached",
-        parameters_.tolerance, parameters_.maximumIterations, agents.id[relaxing.worstAgent()],
-        report.residual));
+        parameters_.tolerance, parameters_.maximumIterations,
+        standing.forces.agents().id[relaxing.worstAgent()], report.residual));
   }
   return report;
 }

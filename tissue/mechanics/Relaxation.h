@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -38,11 +39,21 @@ class Relaxation {
   /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
   /// law.
   Relaxation(const MechanicsParameters& parameters, double referenceRadius);
+  ~Relaxation();
+  Relaxation(const Relaxation&) = delete;
+  Relaxation& operator=(const Relaxation&) = delete;
 
   /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
   /// AgentStore::pressure of the agents it evaluated.
   RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
                          std::span<const Constraint* const> constraints);
+
+  /// The same to the last bit, where since the last call agents have moved, grown or been appended and
+  /// nothing else has changed: the arguments are the same objects, constraints and bonds are as they were.
+  /// Costs what has changed and what moves. Agents in another order, and the first call, are dealt with as by
+  /// relax().
+  RelaxationReport relaxAgain(AgentStore& agents, const BondTable& bonds,
+                              std::span<const Constraint* const> constraints);
 
   /// Agents of the last relaxation, but for struts, with an overlap past the contact law's validity: its
   /// continuation acts on them.
@@ -51,14 +62,18 @@ class Relaxation {
   double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
 
  private:
+  /// What relaxAgain keeps from call to call.
+  struct Standing;
   /// How to compute in mixed precision; nothing where double precision is asked for or needed.
-  std::optional<FixedScale> scaleFor(const AgentStore& agents, const BondTable& bonds) const;
+  std::optional<FixedScale> mixedScale() const;
+  RelaxationReport settle(Standing& standing) const;
 
   MechanicsParameters parameters_;
   ForceField field_;
   double referenceRadius_;
   double characteristicForce_;
-  NeighbourList neighbours_;  ///< kept between relaxations: speed only, no part of the state
+  NeighbourList neighbours_;            ///< kept between relaxations: speed only, no part of the state
+  std::unique_ptr<Standing> standing_;  ///< likewise
 };
 
 }  // namespace restenosis

@@ -14,18 +14,16 @@ std::uint32_t FixedScale::whole(double coordinate) const {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
 }
 
-std::vector<Sphere> packSpheres(const AgentStore& agents) {
-  std::vector<Sphere> spheres(agents.size() + std::size_t{1});
+std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody) {
+  std::vector<Sphere> spheres(nobody + std::size_t{1}, {0, 0, 0, noAgentRadius});
   for (Index i = 0; i < agents.size(); ++i)
     spheres[i] = {agents.x[i], agents.y[i], agents.z[i], agents.radius[i]};
-  spheres.back() = {0, 0, 0, noAgentRadius};
   return spheres;
 }
 
-std::vector<FixedSphere> packSpheres(const AgentStore& agents, const FixedScale& scale) {
-  std::vector<FixedSphere> spheres(agents.size() + std::size_t{1});
+std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale) {
+  std::vector<FixedSphere> spheres(nobody + std::size_t{1}, scale.of(Vec3::Zero(), noAgentRadius));
   for (Index i = 0; i < agents.size(); ++i) spheres[i] = scale.of(agents.position(i), agents.radius[i]);
-  spheres.back() = scale.of(Vec3::Zero(), noAgentRadius);
   return spheres;
 }
 

@@ -46,7 +46,7 @@ class FixedScale {
 /// Radius of the sphere that stands in for "no agent": so far below zero that it touches nothing.
 inline constexpr double noAgentRadius = -1e6;
 
-/// Four agents at a time in double precision. `spheres` end with one of radius noAgentRadius.
+/// Four agents at a time in double precision.
 class ExactSpheres {
  public:
   static constexpr int lanes = 4;
@@ -73,7 +73,7 @@ class ExactSpheres {
   std::span<const Sphere> spheres_;
 };
 
-/// Eight agents at a time in mixed precision. `spheres` end with one of radius noAgentRadius.
+/// Eight agents at a time in mixed precision.
 class FixedSpheres {
  public:
   static constexpr int lanes = 8;
@@ -99,10 +99,11 @@ class FixedSpheres {
   float unit_;
 };
 
-/// The agents as ExactSpheres wants them.
-std::vector<Sphere> packSpheres(const AgentStore& agents);
-/// The agents as FixedSpheres wants them.
-std::vector<FixedSphere> packSpheres(const AgentStore& agents, const FixedScale& scale);
+/// The agents as ExactSpheres wants them, and nobody, of radius noAgentRadius, from there to the index
+/// `nobody` of a PairTable.
+std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody);
+/// The agents as FixedSpheres wants them, and nobody likewise.
+std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale);
 
 inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
   using Half = std::uint32_t __attribute__((vector_size(16)));

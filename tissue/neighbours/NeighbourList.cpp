@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "CellGrid.h"
@@ -25,113 +24,77 @@ constexpr double mostAbandoned = 0.25;
 
 double widestFactor(const NeighbourRange& range) { return std::max(range.factor, range.daughterFactor); }
 
-/// Finds the agents in range of a place, reading them in the order of the grid's cells.
-class Search {
+/// Distance beyond which no two agents are in range [m].
+double widestReach(const NeighbourRange& range, double largestRadius) {
+  const double widest = 2 * widestFactor(range) * largestRadius + range.skin;
+  return widest > 0 ? widest : 1.0;
+}
+
+/// Distance within which all agents in range of an agent with this anchor are [m].
+template <class Anchor>
+double reachOf(const Anchor& anchor, const NeighbourRange& range, double largestRadius) {
+  return widestFactor(range) * (anchor.radius + largestRadius) + range.skin;
+}
+
+bool inRange(const NeighbourRange& range, const auto& a, const auto& b) {
+  const Vec3 apart = a.position - b.position;
+  const double reach =
+      (a.daughter | b.daughter ? range.daughterFactor : range.factor) * (a.radius + b.radius) + range.skin;
+  return apart.squaredNorm() <= reach * reach;
+}
+
+template <class Anchors>
+std::vector<Vec3> positions(const Anchors& anchors) {
+  std::vector<Vec3> points;
+  points.reserve(anchors.size());
+  for (const auto& anchor : anchors) points.push_back(anchor.position);
+  return points;
+}
+
+/// Finds the agents in range of every agent, reading them in the order of the grid's cells.
+template <class Anchor>
+class SearchOfAll {
  public:
-  /// Among the agents `names` with these `anchors`: their positions, radii and whether they are daughters.
-  /// `largestRadius` of all agents [m].
-  template <class Anchors>
-  Search(const Anchors& anchors, std::span<const Index> names, const NeighbourRange& range,
-         double largestRadius)
+  SearchOfAll(const std::vector<Anchor>& anchors, const NeighbourRange& range, double largestRadius)
       : range_(range),
         largestRadius_(largestRadius),
-        grid_(positions(anchors, names), widestReach(range, largestRadius)) {
-    candidates_.reserve(names.size());
-    for (const Index k : grid_.order()) {
-      const auto& a = anchors[names[k]];
-      candidates_.push_back({a.position.x(), a.position.y(), a.position.z(), a.radius, names[k], a.daughter});
-    }
+        grid_(positions(anchors), widestReach(range, largestRadius)) {
+    candidates_.reserve(anchors.size());
+    for (const Index j : grid_.order())
+      candidates_.push_back({anchors[j].position, anchors[j].radius, j, anchors[j].daughter});
   }
 
-  /// Distance beyond which no two agents are in range [m].
-  static double widestReach(const NeighbourRange& range, double largestRadius) {
-    const double widest = 2 * widestFactor(range) * largestRadius + range.skin;
-    return widest > 0 ? widest : 1.0;
-  }
-
-  /// Appends the agents in range of agent i, which stands exactly at its anchor, in ascending order.
-  template <class Anchor>
+  /// Appends the agents in range of agent i, in ascending order.
   void append(Index i, const Anchor& anchor, std::vector<Index>& row) const {
-    const Vec3& centre = anchor.position;
-    const double radius = anchor.radius;
-    const bool daughter = anchor.daughter;
     const std::size_t first = row.size();
     std::size_t end = first;
-    const double reachOfAll = widestFactor(range_) * (radius + largestRadius_) + range_.skin;
-    grid_.forEachCandidateRange(centre, reachOfAll, [&](std::uint32_t from, std::uint32_t to) {
-      // Each is written, and kept by counting it: no branch to be guessed wrong.
-      row.resize(end + (to - from));
-      Index* out = row.data() + end;
-      for (std::uint32_t n = from; n < to; ++n) {
-        const Candidate& other = candidates_[n];
-        const double dx = other.x - centre.x(), dy = other.y - centre.y(), dz = other.z - centre.z();
-        const double factor = daughter | other.daughter ? range_.daughterFactor : range_.factor;
-        const double reach = factor * (radius + other.radius) + range_.skin;
-        *out = other.agent;
-        out += (dx * dx + dy * dy + dz * dz <= reach * reach) & (other.agent != i);
-      }
-      end = static_cast<std::size_t>(out - row.data());
-    });
+    grid_.forEachCandidateRange(
+        anchor.position, reachOf(anchor, range_, largestRadius_), [&](std::uint32_t from, std::uint32_t to) {
+          // Each is written, and kept by counting it: no branch to be guessed wrong.
+          row.resize(end + (to - from));
+          Index* out = row.data() + end;
+          for (std::uint32_t n = from; n < to; ++n) {
+            *out = candidates_[n].agent;
+            out += inRange(range_, anchor, candidates_[n]) & (candidates_[n].agent != i);
+          }
+          end = static_cast<std::size_t>(out - row.data());
+        });
     row.resize(end);
     std::sort(row.begin() + static_cast<std::ptrdiff_t>(first), row.end());
   }
 
  private:
   struct Candidate {
-    double x, y, z, radius;
+    Vec3 position;
+    double radius;
     Index agent;
     bool daughter;
   };
-  template <class Anchors>
-  static std::vector<Vec3> positions(const Anchors& anchors, std::span<const Index> names) {
-    std::vector<Vec3> points;
-    points.reserve(names.size());
-    for (const Index j : names) points.push_back(anchors[j].position);
-    return points;
-  }
 
   NeighbourRange range_;
   double largestRadius_;
   CellGrid grid_;
   std::vector<Candidate> candidates_;
-};
-
-/// Largest radius of some anchors [m].
-template <class Anchors>
-double largestRadius(const Anchors& anchors) {
-  double radius = 0;
-  for (const auto& anchor : anchors) radius = std::max(radius, anchor.radius);
-  return radius;
-}
-
-/// Tells who may be near some places: never a wrong no, seldom a wrong yes.
-class Vicinity {
- public:
-  explicit Vicinity(double reach) : reach_(reach), marked_(std::size_t{1} << bits, 0) {}
-
-  void add(const Vec3& place) {
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z) marked_[key(place, x, y, z)] = 1;
-  }
-  bool has(const Vec3& place) const { return marked_[key(place, 0, 0, 0)] != 0; }
-
- private:
-  static constexpr int bits = 18;
-  /// Cells share marks, which costs a wrong yes now and then (Teschner et al. 2003).
-  std::size_t key(const Vec3& place, int dx, int dy, int dz) const {
-    const std::uint64_t mixed =
-        cell(place.x(), dx) * 73856093U ^ cell(place.y(), dy) * 19349663U ^ cell(place.z(), dz) * 83492791U;
-    return mixed & ((std::size_t{1} << bits) - 1);
-  }
-  std::uint64_t cell(double coordinate, int offset) const {
-    constexpr double farthest = 1e15;  // so that the number of the cell is exact
-    return static_cast<std::uint64_t>(
-        static_cast<std::int64_t>(std::clamp(std::floor(coordinate / reach_), -farthest, farthest)) + offset);
-  }
-
-  double reach_;
-  std::vector<std::uint8_t> marked_;
 };
 
 }  // namespace
@@ -148,11 +111,14 @@ NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
 void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
   range_ = range;
   rows_.clear();  // should a position be found wrong below, there is no list
-  std::vector<Index> everyone(agents.size());
-  std::iota(everyone.begin(), everyone.end(), Index{0});
+  grid_.reset();
   anchors_.resize(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
-  const Search search(anchors_, everyone, range, largestRadius(anchors_));
+  largestRadius_ = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    anchors_[i] = anchorOf(agents, i, range);
+    largestRadius_ = std::max(largestRadius_, anchors_[i].radius);
+  }
+  const SearchOfAll search(anchors_, range, largestRadius_);
 
   constexpr Index chunk = 512;
   const Index count = size();
@@ -184,18 +150,35 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
 }
 
 NeighbourList::Change NeighbourList::update(const AgentStore& agents, const NeighbourRange& range) {
-  const bool known = !rows_.empty() && range == range_ && sameAgents(agents);
-  if (known) {
-    std::vector<std::uint8_t> stale(agents.size(), 0);
-    const std::vector<Index> names = findStale(agents, stale);
-    const bool few =
-        static_cast<double>(names.size()) <= mostLookedUp * agents.size() &&
-        static_cast<double>(abandoned_) <= mostAbandoned * static_cast<double>(neighbours_.size());
+  if (!rows_.empty() && range == range_ && sameAgents(agents)) {
+    const std::vector<Index> names = findStale(agents);
     if (names.empty()) return {};
-    if (few) return {.all = false, .agents = lookUp(agents, names, stale)};
+    if (worthLookingUp(names)) return {.all = false, .agents = lookUp(agents, names)};
   }
   build(agents, range);
   return {.all = true, .agents = {}};
+}
+
+NeighbourList::Change NeighbourList::update(const AgentStore& agents, std::span<const Index> moved) {
+  std::vector<Index> names;
+  bool necessary = false;
+  for (const Index i : moved) {
+    const Anchor& anchor = anchors_[i];
+    const Vec3 position = agents.position(i);
+    const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
+    if (room >= 0 && (position - anchor.position).squaredNorm() <= room * room) continue;
+    names.push_back(i);
+    necessary |= movedTooFar(i, position);
+  }
+  if (!necessary) return {};
+  if (worthLookingUp(names)) return {.all = false, .agents = lookUp(agents, names)};
+  build(agents, range_);
+  return {.all = true, .agents = {}};
+}
+
+bool NeighbourList::worthLookingUp(const std::vector<Index>& names) const {
+  return static_cast<double>(names.size()) <= mostLookedUp * size() &&
+         static_cast<double>(abandoned_) <= mostAbandoned * static_cast<double>(neighbours_.size());
 }
 
 std::size_t NeighbourList::pairCount() const {
@@ -212,7 +195,7 @@ bool NeighbourList::sameAgents(const AgentStore& agents) const {
   return true;
 }
 
-std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vector<std::uint8_t>& stale) {
+std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
   std::vector<Index> used;
   bool necessary = agents.size() > size();
   for (Index i = 0; i < size(); ++i) {
@@ -229,41 +212,45 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents, std::vecto
   }
   if (!necessary) return {};
   for (Index i = size(); i < agents.size(); ++i) used.push_back(i);
-  for (const Index i : used) stale[i] = 1;
   return used;
 }
 
-std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names,
-                                         const std::vector<std::uint8_t>& stale) {
+void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
+  const Anchor& anchor = anchors_[i];
+  grid_->forEachCandidate(anchor.position, reachOf(anchor, range_, largestRadius_), [&](Index j) {
+    if (j != i && inRange(range_, anchor, anchors_[j])) row.push_back(j);
+  });
+  std::ranges::sort(row);
+}
+
+std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
+  if (!grid_) grid_.emplace(positions(anchors_), widestReach(range_, largestRadius_));
   makeRoom(anchors_, agents.size());
   makeRoom(rows_, agents.size());
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
-  for (const Index i : names) anchors_[i] = anchorOf(agents, i, range_);
-
-  const double largest = largestRadius(anchors_);
-  Vicinity vicinity(Search::widestReach(range_, largest));
-  for (const Index i : names) vicinity.add(anchors_[i].position);
-  std::vector<Index> near;
-  for (Index i = 0; i < size(); ++i) {
-    if (vicinity.has(anchors_[i].position)) near.push_back(i);
+  stale_.resize(agents.size(), 0);
+  for (const Index i : names) {
+    anchors_[i] = anchorOf(agents, i, range_);
+    largestRadius_ = std::max(largestRadius_, anchors_[i].radius);
+    grid_->place(i, anchors_[i].position);
+    stale_[i] = 1;
   }
-  const Search search(anchors_, near, range_, largest);
   std::vector<std::vector<Index>> found(names.size());
   const auto count = static_cast<std::ptrdiff_t>(names.size());
 #pragma omp parallel for schedule(dynamic, 16) if (count > 256)
-  for (std::ptrdiff_t k = 0; k < count; ++k) search.append(names[k], anchors_[names[k]], found[k]);
+  for (std::ptrdiff_t k = 0; k < count; ++k) appendInRange(names[k], found[k]);
 
   // The same pairs seen from the agents that were not looked up: whom they lose, and whom they have now.
   std::vector<std::pair<Index, Index>> others;
   std::vector<Index> beside;
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const Index j : of(names[k])) {
-      if (!stale[j]) beside.push_back(j);
+      if (!stale_[j]) beside.push_back(j);
     }
     for (const Index j : found[k]) {
-      if (!stale[j]) others.emplace_back(j, names[k]);
+      if (!stale_[j]) others.emplace_back(j, names[k]);
     }
   }
   std::ranges::sort(others);
@@ -276,7 +263,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   for (const Index i : beside) {
     row.clear();
     for (const Index j : of(i)) {
-      if (stale[j]) continue;
+      if (stale_[j]) continue;
       for (; other != others.end() && other->first == i && other->second < j; ++other)
         row.push_back(other->second);
       row.push_back(j);
@@ -284,7 +271,10 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
     for (; other != others.end() && other->first == i; ++other) row.push_back(other->second);
     setRow(i, row);
   }
-  for (std::size_t k = 0; k < names.size(); ++k) setRow(names[k], found[k]);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    setRow(names[k], found[k]);
+    stale_[names[k]] = 0;
+  }
 
   std::vector<Index> changed;
   std::ranges::merge(beside, names, std::back_inserter(changed));

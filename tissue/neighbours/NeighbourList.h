@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "AgentStore.h"
+#include "MovableGrid.h"
 
 namespace restenosis {
 
@@ -41,6 +43,9 @@ class NeighbourList {
   /// appended, went or grew far, or became daughters, and builds anew where those are many or agents were
   /// removed or reordered. Throws as build does.
   Change update(const AgentStore& agents, const NeighbourRange& range);
+  /// The same where since the last build or update nothing happened but that the agents `moved`, in ascending
+  /// order, moved: costs what they cost.
+  Change update(const AgentStore& agents, std::span<const Index> moved);
 
   std::span<const Index> of(Index i) const { return {neighbours_.data() + rows_[i].start, rows_[i].count}; }
   Index size() const { return static_cast<Index>(anchors_.size()); }
@@ -69,18 +74,23 @@ class NeighbourList {
   };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
   bool sameAgents(const AgentStore& agents) const;
-  /// Sets the allowances to present radii and flags in `stale` whom to look up; returns them.
-  std::vector<Index> findStale(const AgentStore& agents, std::vector<std::uint8_t>& stale);
-  /// Looks up the stale agents; returns whose rows changed.
-  std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names,
-                            const std::vector<std::uint8_t>& stale);
+  /// Sets the allowances to present radii; returns whom to look up, in ascending order.
+  std::vector<Index> findStale(const AgentStore& agents);
+  bool worthLookingUp(const std::vector<Index>& names) const;
+  /// Looks up the agents `names`; returns whose rows changed.
+  std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
+  /// Appends the agents in range of agent i, in ascending order.
+  void appendInRange(Index i, std::vector<Index>& row) const;
   void setRow(Index i, const std::vector<Index>& row);
 
   NeighbourRange range_;
   std::vector<Anchor> anchors_;
   std::vector<Row> rows_;
   std::vector<Index> neighbours_;
-  std::size_t abandoned_ = 0;  ///< entries of neighbours_ that no row uses any more
+  std::size_t abandoned_ = 0;        ///< entries of neighbours_ that no row uses any more
+  std::optional<MovableGrid> grid_;  ///< of the anchors; made when agents are first looked up
+  double largestRadius_ = 0;         ///< of all anchors since the last build [m]
+  std::vector<std::uint8_t> stale_;  ///< scratch of lookUp
 };
 
 }  // namespace restenosis

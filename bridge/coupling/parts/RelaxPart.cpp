@@ -18,7 +18,7 @@ Verdict RelaxPart::inputsChanged(const Instant&) const {
 void RelaxPart::run(const Instant&) {
   auto measurement = world_.timer.measure("relax");
   const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
-  relaxation_.relax(world_.wall.agents, world_.wall.bonds, constraints);
+  relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
   world_.changes.markRead(name(), Quantity::cellStates);
   world_.changes.touch(Quantity::agentPositions);
 }

@@ -1,0 +1,259 @@
+#include "AgentForces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "Chunks.h"
+#include "Room.h"
+
+namespace restenosis {
+namespace {
+
+struct Any {
+  bool found = false;
+  Index agent = 0;
+  void join(const Any& other) {
+    if (!found && other.found) *this = other;
+  }
+};
+
+void requireSound(const AgentStore& agents, const BondTable& bonds) {
+  if (bonds.size() != agents.size()) {
+    throw std::invalid_argument(
+        fmt::format("the bond table has room for {} agents, there are {}: call BondTable::resize",
+                    bonds.size(), agents.size()));
+  }
+  const auto bad = reduceInChunks<Any>(agents.size(), [&](std::size_t i, Any& part) {
+    if (!part.found && !(agents.radius[i] > 0 && std::isfinite(agents.radius[i])))
+      part = {true, static_cast<Index>(i)};
+  });
+  if (!bad.found) return;
+  throw std::invalid_argument(fmt::format("agent {} has the radius {} m; radii are finite and above 0",
+                                          agents.id[bad.agent], agents.radius[bad.agent]));
+}
+
+/// Lets `values` hold `count` elements, the new ones `value`.
+template <class T>
+void lengthen(std::vector<T>& values, std::size_t count, const T& value) {
+  makeRoom(values, count);
+  values.resize(count, value);
+}
+
+}  // namespace
+
+AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
+                         std::span<const Constraint* const> constraints, const ForceField& field,
+                         NeighbourList& neighbours, const Settings& settings)
+    : agents_(agents),
+      bonds_(bonds),
+      constraints_(constraints.begin(), constraints.end()),
+      field_(field),
+      neighbours_(neighbours),
+      settings_(settings),
+      range_(field.range(settings.skin)) {
+  requireSound(agents_, bonds_);
+  start();
+}
+
+void AgentForces::start() {
+  const std::size_t count = agents_.size();
+  names_ = agents_.id;
+  force_.assign(count, Vec3::Zero());
+  stiffness_.assign(count, settings_.softest);
+  residual_.assign(count, 0.0);
+  unsure_.assign(count, 1);
+  moving_.clear();
+  free_.clear();
+  for (Index i = 0; i < count; ++i) {
+    if (isFree(i)) free_.push_back(i);
+  }
+  scale_ = settings_.scale;
+  if (scale_) {
+    const auto misfit = reduceInChunks<Any>(count, [&](std::size_t i, Any& part) {
+      if (!part.found && !fits(static_cast<Index>(i))) part = {true, static_cast<Index>(i)};
+    });
+    if (misfit.found) scale_.reset();
+  }
+  // Without mixed precision although it was asked for, everything is looked at again the next time.
+  outgrown_ = scale_.has_value() != settings_.scale.has_value();
+  project();
+  neighbours_.update(agents_, range_);
+  buildPairs();
+}
+
+void AgentForces::refresh() {
+  requireSound(agents_, bonds_);
+  if (outgrown_ || !sameAgents()) return start();
+  project();
+  const auto known = static_cast<Index>(names_.size());
+  const std::size_t count = agents_.size();
+  lengthen(force_, count, Vec3::Zero().eval());
+  lengthen(stiffness_, count, settings_.softest);
+  lengthen(residual_, count, 0.0);
+  lengthen(unsure_, count, std::uint8_t{1});
+  makeRoom(names_, count);
+  names_.insert(names_.end(), agents_.id.begin() + known, agents_.id.end());
+
+  std::vector<Index> others;
+  for (Index i = 0; i < known; ++i) {
+    if (changed(i)) others.push_back(i);
+  }
+  for (const Index i : others) doubtAround(i);
+  for (Index i = known; i < count; ++i) {
+    others.push_back(i);
+    if (isFree(i)) free_.push_back(i);
+  }
+  if (scale_ && !std::ranges::all_of(others, [this](Index i) { return fits(i); })) return start();
+
+  const NeighbourList::Change change = neighbours_.update(agents_, range_);
+  if (change.all || count > pairs_.nobody()) {
+    buildPairs();
+    if (change.all) std::ranges::fill(unsure_, 1);
+  } else {
+    for (const Index i : others) take(i);
+    pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
+  }
+  for (const Index i : change.agents) unsure_[i] = 1;
+  for (const Index i : others) doubtAround(i);
+  moving_.clear();
+}
+
+bool AgentForces::sameAgents() const {
+  return names_.size() <= agents_.size() && std::equal(names_.begin(), names_.end(), agents_.id.begin());
+}
+
+bool AgentForces::isFree(Index i) const {
+  return !agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
+}
+
+bool AgentForces::fits(Index i) const {
+  const double within = scale_->reach() / 4;
+  return agents_.radius[i] <= within && std::ranges::all_of(bonds_.of(i), [&](const Bond& bond) {
+           return (agents_.position(i) - agents_.position(bond.partner)).squaredNorm() <= within * within;
+         });
+}
+
+bool AgentForces::changed(Index i) const {
+  const Sphere& s = spheres_[i];
+  return s.x != agents_.x[i] || s.y != agents_.y[i] || s.z != agents_.z[i] || s.r != agents_.radius[i];
+}
+
+void AgentForces::take(Index i) {
+  spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  if (scale_) fixed_[i] = scale_->of(agents_.position(i), agents_.radius[i]);
+}
+
+void AgentForces::packAll() {
+  spheres_ = packSpheres(agents_, pairs_.nobody());
+  if (scale_) fixed_ = packSpheres(agents_, pairs_.nobody(), *scale_);
+}
+
+void AgentForces::buildPairs() {
+  pairs_.build(neighbours_, bonds_, agents_.flags, marksDaughters());
+  packAll();
+}
+
+void AgentForces::doubtAround(Index i) {
+  unsure_[i] = 1;
+  if (i < neighbours_.size()) {
+    for (const Index j : neighbours_.of(i)) unsure_[j] = 1;
+  }
+  for (const Bond& bond : bonds_.of(i)) unsure_[bond.partner] = 1;
+}
+
+void AgentForces::project() {
+  if (constraints_.empty()) return;
+  forEachInChunks(agents_.size(), [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
+    if (!isFree(i)) return;
+    Vec3 position = agents_.position(i);
+    for (const Constraint* constraint : constraints_) constraint->project(agents_, i, position);
+    agents_.setPosition(i, position);
+  });
+}
+
+bool AgentForces::moveTo(Index i, const Vec3& position) {
+  Vec3 place = position;
+  for (const Constraint* constraint : constraints_) constraint->project(agents_, i, place);
+  agents_.setPosition(i, place);
+  if (scale_) {
+    fixed_[i] = scale_->of(place, agents_.radius[i]);
+  } else {
+    spheres_[i] = {place.x(), place.y(), place.z(), agents_.radius[i]};
+  }
+  return neighbours_.movedTooFar(i, place);
+}
+
+void AgentForces::updateLists(std::span<const Index> moved, std::vector<Index>& relisted) {
+  const NeighbourList::Change change = neighbours_.update(agents_, moved);
+  if (change.all) {
+    buildPairs();
+    std::ranges::fill(unsure_, 1);
+    relisted = free_;
+  } else {
+    pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
+    doubt(change.agents);
+    relisted.insert(relisted.end(), change.agents.begin(), change.agents.end());
+  }
+}
+
+void AgentForces::startMoving(std::span<const Index> agents) {
+  moving_.insert(moving_.end(), agents.begin(), agents.end());
+}
+
+void AgentForces::doubt(std::span<const Index> agents) {
+  for (const Index i : agents) unsure_[i] = 1;
+}
+
+void AgentForces::evaluate(std::span<const Index> subset) {
+  if (scale_) {
+    evaluate(FixedSpheres(fixed_, scale_->unit()), subset);
+  } else {
+    evaluate(ExactSpheres(spheres_), subset);
+  }
+}
+
+void AgentForces::evaluateExactly(std::span<const Index> moving) {
+  for (const Index i : moving_) {
+    doubtAround(i);
+    spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+    outgrown_ = outgrown_ || (scale_ && !fits(i));
+  }
+  std::vector<Index> due;
+  std::ranges::copy_if(free_, std::back_inserter(due), [&](Index i) { return unsure_[i] != 0; });
+  evaluate(ExactSpheres(spheres_), due);
+  std::ranges::fill(unsure_, 0);
+  moving_.assign(moving.begin(), moving.end());
+}
+
+template <class Spheres>
+void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset) {
+  const auto bad = reducePieces<Any>(subset.size(), [&](std::size_t begin, std::size_t end, Any& part) {
+    std::array<AgentLoad, chunkSize> loads;
+    field_.evaluate(spheres, pairs_, subset.subspan(begin, end - begin), loads);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index i = subset[k];
+      const AgentLoad& load = loads[k - begin];
+      Vec3 force = load.force();
+      for (const Constraint* constraint : constraints_) constraint->release(agents_, i, force);
+      force_[i] = force;
+      stiffness_[i] = std::max(settings_.softest, load.stiffness);
+      residual_[i] = force.norm();
+      agents_.pressure[i] = load.pressure;
+      if (!part.found && !std::isfinite(residual_[i])) part = {true, i};
+    }
+  });
+  evaluations_ += subset.size();
+  if (bad.found) {
+    const Vec3& f = force_[bad.agent];
+    throw std::runtime_error(fmt::format(
+        "the force on agent {} at ({}, {}, {}) m is not finite: ({}, {}, {}) N", agents_.id[bad.agent],
+        agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.x(), f.y(), f.z()));
+  }
+}
+
+}  // namespace restenosis
