@@ -77,9 +77,10 @@ void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
   for (const Index i : changed) groups.push_back(i / laneCount);
   std::ranges::sort(groups);
   groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  forEachInChunks(groups.size(),
+                  [&](std::size_t k) { rows_[groups[k]].count = longestRow(neighbours, bonds, groups[k]); });
   for (const std::size_t g : groups) {
     Row& row = rows_[g];
-    row.count = longestRow(neighbours, bonds, g);
     if (row.count <= row.room) continue;
     abandoned_ += row.room;
     row.start = static_cast<std::uint32_t>(blocks_.size());

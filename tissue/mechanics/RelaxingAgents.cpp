@@ -1,6 +1,7 @@
 #include "RelaxingAgents.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "Chunks.h"
@@ -70,18 +71,14 @@ bool RelaxingAgents::wakeDisturbed() {
     relisted_.clear();
     return false;
   }
-  std::vector<Index> beside;
-  const auto consider = [&](Index j) {
-    if (isAwake_[j] || marked_[j] || !forces_.isFree(j)) return;
-    marked_[j] = 1;
-    beside.push_back(j);
-  };
-  for (const Index i : awake_) {
-    for (const Index j : forces_.neighbours().of(i)) consider(j);
-    for (const Bond& bond : forces_.bonds().of(i)) consider(bond.partner);
-  }
+  const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
+  std::vector<Index> beside = collect(awake_, [&](Index i, const auto& take) {
+    for (const Index j : forces_.neighbours().of(i)) take(j, asleep);
+    for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
+  });
   // Those whom an awake agent has left since they were looked at, too.
-  for (const Index i : relisted_) consider(i);
+  const std::vector<Index> left = collect(relisted_, [&](Index i, const auto& take) { take(i, asleep); });
+  beside.insert(beside.end(), left.begin(), left.end());
   relisted_.clear();
   for (const Index j : beside) marked_[j] = 0;
   std::ranges::sort(beside);
@@ -102,24 +99,34 @@ bool RelaxingAgents::wakeAnyone() {
   return awakeResidual() > tolerance_;
 }
 
+template <class Look>
+std::vector<Index> RelaxingAgents::collect(const std::vector<Index>& agents, Look&& look) {
+  std::vector<std::vector<Index>> parts((agents.size() + chunkSize - 1) / chunkSize);
+  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Index>& part = parts[begin / chunkSize];
+    const auto take = [&](Index j, const auto& wanted) {
+      std::atomic_ref<std::uint8_t> mark(marked_[j]);
+      if (mark.load(std::memory_order_relaxed) || !wanted(j)) return;
+      if (!mark.exchange(1, std::memory_order_relaxed)) part.push_back(j);
+    };
+    for (std::size_t k = begin; k < end; ++k) look(agents[k], take);
+  });
+  std::vector<Index> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 template <class Wanted>
-std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents, Wanted&& wanted) {
+std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents, const Wanted& wanted) {
   const AgentStore& store = forces_.agents();
-  std::vector<Index> partners;
-  const auto consider = [&](Index j) {
-    if (marked_[j] || !wanted(j)) return;
-    marked_[j] = 1;
-    partners.push_back(j);
-  };
-  for (const Index i : agents) {
+  return collect(agents, [&](Index i, const auto& take) {
     // Those that touch, not all listed: who wakes must not depend on the list.
     for (const Index j : forces_.neighbours().of(i)) {
       const double radii = store.radius[i] + store.radius[j];
-      if ((store.position(i) - store.position(j)).squaredNorm() < radii * radii) consider(j);
+      if ((store.position(i) - store.position(j)).squaredNorm() < radii * radii) take(j, wanted);
     }
-    for (const Bond& bond : forces_.bonds().of(i)) consider(bond.partner);
-  }
-  return partners;
+    for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, wanted);
+  });
 }
 
 void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {

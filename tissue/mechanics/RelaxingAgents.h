@@ -44,9 +44,13 @@ class RelaxingAgents {
 
  private:
   /// Marks the agents that touch or are bonded to one of `agents`, are not marked yet and `wanted`; returns
-  /// them.
+  /// them in no particular order.
   template <class Wanted>
-  std::vector<Index> markPartners(const std::vector<Index>& agents, Wanted&& wanted);
+  std::vector<Index> markPartners(const std::vector<Index>& agents, const Wanted& wanted);
+  /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
+  /// marked yet and wanted(j); returns them in no particular order.
+  template <class Look>
+  std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
   /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
   /// for its surroundings; all, if many are awake then.
   void wakeAround(const std::vector<Index>& restless);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "CellGrid.h"
 #include "NeighbourQuery.h"
@@ -243,7 +242,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   for (std::ptrdiff_t k = 0; k < count; ++k) appendInRange(names[k], found[k]);
 
   // The same pairs seen from the agents that were not looked up: whom they lose, and whom they have now.
-  std::vector<std::pair<Index, Index>> others;
+  std::vector<Pair> others;
   std::vector<Index> beside;
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const Index j : of(names[k])) {
@@ -258,18 +257,26 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   std::ranges::sort(beside);
   beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
 
-  std::vector<Index> row;
-  auto other = others.begin();
-  for (const Index i : beside) {
-    row.clear();
-    for (const Index j : of(i)) {
-      if (stale_[j]) continue;
-      for (; other != others.end() && other->first == i && other->second < j; ++other)
-        row.push_back(other->second);
-      row.push_back(j);
+  const auto besideCount = static_cast<std::ptrdiff_t>(beside.size());
+  std::vector<std::uint8_t> outgrown(beside.size(), 0);
+#pragma omp parallel if (besideCount > 1024)
+  {
+    std::vector<Index> row;
+#pragma omp for schedule(static)
+    for (std::ptrdiff_t k = 0; k < besideCount; ++k) {
+      mergeRow(beside[k], others, row);
+      if (row.size() <= rows_[beside[k]].room) {
+        setRow(beside[k], row);
+      } else {
+        outgrown[k] = 1;
+      }
     }
-    for (; other != others.end() && other->first == i; ++other) row.push_back(other->second);
-    setRow(i, row);
+  }
+  std::vector<Index> row;
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    if (!outgrown[k]) continue;
+    mergeRow(beside[k], others, row);
+    setRow(beside[k], row);
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     setRow(names[k], found[k]);
@@ -279,6 +286,18 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   std::vector<Index> changed;
   std::ranges::merge(beside, names, std::back_inserter(changed));
   return changed;
+}
+
+void NeighbourList::mergeRow(Index i, std::span<const Pair> others, std::vector<Index>& row) const {
+  row.clear();
+  auto other = std::ranges::lower_bound(others, Pair{i, 0});
+  const auto ours = [&] { return other != others.end() && other->first == i; };
+  for (const Index j : of(i)) {
+    if (stale_[j]) continue;
+    for (; ours() && other->second < j; ++other) row.push_back(other->second);
+    row.push_back(j);
+  }
+  for (; ours(); ++other) row.push_back(other->second);
 }
 
 void NeighbourList::setRow(Index i, const std::vector<Index>& row) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "AgentStore.h"
@@ -81,6 +82,10 @@ class NeighbourList {
   std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
   /// Appends the agents in range of agent i, in ascending order.
   void appendInRange(Index i, std::vector<Index>& row) const;
+  /// An agent and one that it has for a neighbour.
+  using Pair = std::pair<Index, Index>;
+  /// The neighbours of agent i that are not being looked up, and those of `others`, which is sorted.
+  void mergeRow(Index i, std::span<const Pair> others, std::vector<Index>& row) const;
   void setRow(Index i, const std::vector<Index>& row);
 
   NeighbourRange range_;
