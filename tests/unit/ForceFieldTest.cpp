@@ -160,6 +160,7 @@ TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {
 TEST(ForceField, OfAnAgentDependsNeitherOnWhereItStandsNorOnWhoElseIsComputed) {
   const ForceField field(with("hertzNeoHookean"));
   Heap heap(300);
+  heap.agents.setPosition(7, heap.agents.position(8));
   std::vector<Index> all(heap.agents.size()), some;
   std::iota(all.begin(), all.end(), Index{0});
   for (const Index i : all) {

@@ -97,6 +97,32 @@ TEST(NeighbourList, KeepsEveryPairInRangeWhileAgentsMoveGrowAndCome) {
   }
 }
 
+TEST(NeighbourList, IsUpdatedForTheAgentsThatMovedOnly) {
+  AgentStore agents = mixed(1500, 2);
+  const NeighbourRange range{.factor = 1, .daughterFactor = 1.3, .skin = 2e-6};
+  NeighbourList list;
+  list.build(agents, range);
+  RandomStream random(8, 0, 0, RandomPurpose::packing);
+  std::size_t changed = 0;
+  for (int step = 0; step < 40; ++step) {
+    std::vector<Index> moved;
+    for (Index i = static_cast<Index>(step % 10); i < agents.size(); i += 60) {
+      moved.push_back(i);
+      // Some go out of the box that the list was built for.
+      agents.setPosition(i, agents.position(i) + (i % 7 == 0 ? 2e-5 : 0.6e-6) * random.direction());
+    }
+    const auto change = list.update(agents, moved);
+    ASSERT_FALSE(change.all);
+    changed += change.agents.size();
+    for (Index i = 0; i < agents.size(); i += 5) {
+      const auto row = list.of(i);
+      ASSERT_TRUE(std::ranges::includes(row, inRange(agents, {.factor = 1, .daughterFactor = 1.3}, i)))
+          << step << ' ' << i;
+    }
+  }
+  EXPECT_GT(changed, 0u);
+}
+
 TEST(NeighbourList, StartsAnewForOtherAgents) {
   const NeighbourRange range{.skin = 1e-6};
   AgentStore agents = mixed(300, 2);

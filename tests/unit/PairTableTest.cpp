@@ -70,6 +70,8 @@ TEST(PairTable, UpdatedIsWhatItWouldBeBuiltAnew) {
   for (int step = 0; step < 40; ++step) {
     for (Index i = static_cast<Index>(step); i < tissue.agents.size(); i += 97)
       tissue.agents.setPosition(i, tissue.agents.position(i) + 2 * r0 * random.direction());
+    tissue.agents.append(AgentKind::smc, tissue.agents.position(static_cast<Index>(step)), r0);
+    tissue.bonds.resize(tissue.agents.size());
     const auto change = tissue.list.update(tissue.agents, range);
     PairTable anew;
     anew.build(tissue.list, tissue.bonds, tissue.agents.flags, daughtersMarked);
@@ -83,6 +85,7 @@ TEST(PairTable, UpdatedIsWhatItWouldBeBuiltAnew) {
       ASSERT_EQ(partners(updated, i), partners(anew, i)) << step << ' ' << i;
   }
   EXPECT_GT(updates, 30);
+  EXPECT_GE(updated.nobody(), tissue.agents.size());
 }
 
 }  // namespace

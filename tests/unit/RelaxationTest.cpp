@@ -2,6 +2,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ForceField.h"
@@ -116,6 +117,54 @@ TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
       Relaxation(p, r0).relax(fresh.agents, fresh.bonds, {});
       EXPECT_EQ(largestDifference(block.agents, fresh.agents), 0) << precision << ", poke " << poke;
     }
+  }
+}
+
+/// Keeps agents above the plane z = 0.5 r0.
+struct Floor : Constraint {
+  void project(const AgentStore&, Index, Vec3& position) const override {
+    position.z() = std::max(position.z(), 0.5 * r0);
+  }
+  void release(const AgentStore& agents, Index i, Vec3& force) const override {
+    if (agents.z[i] <= 0.5 * r0 && force.z() < 0) force.z() = 0;
+  }
+};
+
+TEST(Relaxation, AgainIsTheSameAsAnew) {
+  const Floor floor;
+  const std::array<const Constraint*, 1> constraints{&floor};
+  for (const auto* precision : {"mixed", "double"}) {
+    MechanicsParameters p;
+    p.precision = precision;
+    Block block(11);
+    Relaxation relaxation(p, r0);
+    relaxation.relaxAgain(block.agents, block.bonds, constraints);
+    std::uint64_t again = 0, anew = 0;
+    for (int step = 0; step < 12; ++step) {
+      AgentStore& agents = block.agents;
+      agents.radius[250 + step] *= 1.1;
+      for (int n = 0; n < 1 + 20 * (step % 3); ++n) {  // a division
+        const Index mother = 200 + static_cast<Index>(7 * step + 31 * n) % 400;
+        const Vec3 offset = 0.3 * r0 * RandomStream(4, step, n, RandomPurpose::packing).direction();
+        const Index born = agents.append(AgentKind::smc, agents.position(mother) - offset, 0.8 * r0);
+        agents.set(born, AgentFlag::daughter, true);
+        agents.setPosition(mother, agents.position(mother) + offset);
+      }
+      block.bonds.resize(agents.size());
+      if (step == 7) {
+        std::vector<Index> order(agents.size());
+        for (Index k = 0; k < order.size(); ++k) order[k] = (k * 7 + 3) % agents.size();
+        ASSERT_NE(agents.size() % 7, 0u);
+        agents.reorder(order);
+        block.bonds.reorder(order);
+      }
+      Block fresh = block;
+      again += relaxation.relaxAgain(agents, block.bonds, constraints).agentEvaluations;
+      anew += Relaxation(p, r0).relax(fresh.agents, fresh.bonds, constraints).agentEvaluations;
+      ASSERT_EQ(largestDifference(agents, fresh.agents), 0) << precision << ", step " << step;
+      ASSERT_EQ(agents.pressure, fresh.agents.pressure) << precision << ", step " << step;
+    }
+    EXPECT_LT(again, anew);
   }
 }
 

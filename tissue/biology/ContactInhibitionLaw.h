@@ -16,8 +16,9 @@ struct ContactNeighbour {
   double distance;  ///< length of `offset` [m]
   double radius;    ///< [m]
   AgentKind kind;
-  double facing =
-      1;  ///< cosine between `offset` and the normal of the lamina the neighbour is part of, 0 to 1
+  /// Cosine between `offset` and the normal of the lamina the neighbour is part of, 0 to 1; 1 if it is of
+  /// none.
+  double facing = 1;
 };
 
 /// What a law may know of a cell.
@@ -33,7 +34,7 @@ struct Surroundings {
 class ContactInhibitionLaw {
  public:
   virtual ~ContactInhibitionLaw() = default;
-  /// Neighbours farther than this times R1 + R2 cannot matter.
+  /// Neighbours farther than this times R1 + R2 cannot matter but by Surroundings::exposed.
   virtual double range() const = 0;
   virtual bool inhibits(const Surroundings& surroundings) const = 0;
 };

@@ -11,13 +11,10 @@ class ExposureLaw : public ContactInhibitionLaw {
  public:
   static constexpr std::string_view name = "exposure";
 
-  explicit ExposureLaw(const ContactInhibitionParameters& parameters) : range_(parameters.exposureRange) {}
+  explicit ExposureLaw(const ContactInhibitionParameters&) {}
 
-  double range() const override { return range_; }
+  double range() const override { return 0; }  // the measure has its own
   bool inhibits(const Surroundings& surroundings) const override { return !surroundings.exposed; }
-
- private:
-  double range_;
 };
 
 }  // namespace restenosis

@@ -33,12 +33,14 @@ double MirroredNeighbours::facing(Index j, const Vec3& offset, double distance) 
   return std::min(1.0, std::abs(offset.x() * x + offset.y() * y) / (rho * distance));
 }
 
-void MirroredNeighbours::gather(Index i, std::vector<ContactNeighbour>& found) const {
+void MirroredNeighbours::gather(Index i, double range, std::vector<ContactNeighbour>& found) const {
   found.clear();
   const double radius = agents_.radius[i];
-  forEachWithin(agents_.position(i), radius, [&](Index j, const Vec3& offset, double distance) {
+  forEachWithin(range, agents_.position(i), radius, [&](Index j, const Vec3& offset, double distance) {
     if (j == i && distance < 2 * radius) return;
-    found.push_back({offset, distance, agents_.radius[j], agents_.kind[j], facing(j, offset, distance)});
+    const bool lamina = agents_.kind[j] == AgentKind::iel || agents_.kind[j] == AgentKind::eel;
+    found.push_back(
+        {offset, distance, agents_.radius[j], agents_.kind[j], lamina ? facing(j, offset, distance) : 1.0});
   });
 }
 

@@ -6,6 +6,13 @@
 
 namespace restenosis {
 
+namespace {
+
+// An agent that has moved by less than this times its radius has changed one place, not two. Speed only.
+constexpr double shortMove = 0.5;
+
+}  // namespace
+
 bool ReferenceConfiguration::inOrderOf(const AgentStore& agents) const {
   return copies_.size() <= agents.size() &&
          std::equal(copies_.id.begin(), copies_.id.end(), agents.id.begin());
@@ -65,11 +72,21 @@ std::vector<DisturbedPlace> ReferenceConfiguration::follow(const AgentStore& age
         (agents.position(i) - copies_.position(i)).squaredNorm() <= allowed * allowed) {
       continue;
     }
-    if (!isNew) places.push_back(placeOf(i));
+    const DisturbedPlace before = placeOf(i);
     copies_.setPosition(i, agents.position(i));
     copies_.radius[i] = agents.radius[i];
     copies_.kind[i] = agents.kind[i];
-    places.push_back(placeOf(i));
+    const DisturbedPlace after = placeOf(i);
+    const double apart = (after.centre - before.centre).norm();
+    if (isNew) {
+      places.push_back(after);
+    } else if (apart < shortMove * before.radius) {
+      places.push_back(
+          {(before.centre + after.centre) / 2, std::max(before.radius, after.radius) + apart / 2});
+    } else {
+      places.push_back(before);
+      places.push_back(after);
+    }
   }
   return places;
 }

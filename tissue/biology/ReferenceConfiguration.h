@@ -21,8 +21,8 @@ struct DisturbedPlace {
 class ReferenceConfiguration {
  public:
   /// Copies the agents that are new, of another kind, or farther from their copy than `tolerance` times its
-  /// radius (or grown by more than that), and forgets those that are gone. Returns every place where the copy
-  /// changed: old and new ones. Afterwards index i here is agent i there.
+  /// radius (or grown by more than that), and forgets those that are gone. Returns spheres that hold every
+  /// place where the copy changed, old and new ones. Afterwards index i here is agent i there.
   std::vector<DisturbedPlace> follow(const AgentStore& agents, double tolerance);
 
   /// Positions, radii, kinds and ids; nothing else is kept up to date.

@@ -32,13 +32,15 @@ std::uint32_t partnerCount(const NeighbourList& neighbours, const BondTable& bon
   return count;
 }
 
-/// Blocks that group g needs.
-std::uint32_t longestRow(const NeighbourList& neighbours, const BondTable& bonds, std::size_t g) {
-  std::uint32_t longest = 0;
-  const auto end = std::min<std::size_t>(neighbours.size(), (g + 1) * laneCount);
-  for (std::size_t i = g * laneCount; i < end; ++i)
-    longest = std::max(longest, partnerCount(neighbours, bonds, static_cast<Index>(i)));
-  return longest;
+/// Pieces of `agents`, which are in ascending order, that are of one group each.
+std::vector<std::span<const Index>> runsOfGroups(std::span<const Index> agents) {
+  std::vector<std::span<const Index>> runs;
+  for (std::size_t k = 0; k < agents.size();) {
+    const std::size_t first = k;
+    while (k < agents.size() && agents[k] / laneCount == agents[first] / laneCount) ++k;
+    runs.push_back(agents.subspan(first, k - first));
+  }
+  return runs;
 }
 
 // A row that outgrew its room gets this much more than it needs.
@@ -56,7 +58,11 @@ void PairTable::build(const NeighbourList& neighbours, const BondTable& bonds,
   rows_.resize(groups);
   marked_.assign(groups, 0);
   abandoned_ = 0;
-  forEachInChunks(groups, [&](std::size_t g) { rows_[g].count = longestRow(neighbours, bonds, g); });
+  forEachInChunks(groups, [&](std::size_t g) {
+    rows_[g].count = 0;
+    for (Index i = firstOf(g); i < endOf(g); ++i)
+      rows_[g].count = std::max(rows_[g].count, partnerCount(neighbours, bonds, i));
+  });
   std::uint32_t end = 0;
   for (Row& row : rows_) {
     row.start = end;
@@ -73,14 +79,19 @@ void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
   makeRoom(rows_, groupCount());
   rows_.resize(groupCount());
   marked_.resize(groupCount(), 0);
-  std::vector<std::size_t> groups;
-  for (const Index i : changed) groups.push_back(i / laneCount);
-  std::ranges::sort(groups);
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  forEachInChunks(groups.size(),
-                  [&](std::size_t k) { rows_[groups[k]].count = longestRow(neighbours, bonds, groups[k]); });
-  for (const std::size_t g : groups) {
-    Row& row = rows_[g];
+  const auto runs = runsOfGroups(changed);
+  // A group's blocks never become fewer here: rows that got shorter are filled up with nobody.
+  std::vector<std::uint32_t> needed(runs.size());
+  forEachInChunks(runs.size(), [&](std::size_t k) {
+    needed[k] = rows_[runs[k].front() / laneCount].count;
+    for (const Index i : runs[k]) needed[k] = std::max(needed[k], partnerCount(neighbours, bonds, i));
+  });
+  std::vector<std::uint8_t> whole(runs.size(), 0);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Row& row = rows_[runs[k].front() / laneCount];
+    if (needed[k] == row.count) continue;
+    row.count = needed[k];
+    whole[k] = 1;
     if (row.count <= row.room) continue;
     abandoned_ += row.room;
     row.start = static_cast<std::uint32_t>(blocks_.size());
@@ -90,33 +101,38 @@ void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
   }
   if (static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(blocks_.size()))
     return build(neighbours, bonds, flags, daughters);
-  forEachInChunks(groups.size(),
-                  [&](std::size_t k) { fill(groups[k], neighbours, bonds, flags, daughters); });
+  forEachInChunks(runs.size(), [&](std::size_t k) {
+    if (whole[k]) return fill(runs[k].front() / laneCount, neighbours, bonds, flags, daughters);
+    for (const Index i : runs[k]) fillLane(i, neighbours, bonds, flags, daughters);
+  });
 }
 
 void PairTable::fill(std::size_t g, const NeighbourList& neighbours, const BondTable& bonds,
                      std::span<const std::uint8_t> flags, bool daughters) {
-  const std::uint32_t start = rows_[g].start, end = start + rows_[g].count;
-  bool marked = false;
-  for (int lane = 0; lane < laneCount; ++lane) {
-    const auto i = static_cast<Index>(g * laneCount + static_cast<std::size_t>(lane));
-    std::uint32_t k = start;
-    if (i < size_) {
-      const bool daughter = daughters && (flags[i] & AgentFlag::daughter);
-      forEachPartner(neighbours, bonds, i, [&](Index j, float rest) {
-        const bool mark = daughter || (daughters && (flags[j] & AgentFlag::daughter));
-        blocks_[k].partner[lane] = j;
-        blocks_[k].rest[lane] = mark ? -rest : rest;
-        marked |= mark;
-        ++k;
-      });
-    }
-    for (; k < end; ++k) {
-      blocks_[k].partner[lane] = nobody_;
-      blocks_[k].rest[lane] = std::numeric_limits<float>::infinity();
-    }
+  marked_[g] = 0;
+  const Index first = firstOf(g);
+  for (Index i = first; i < first + laneCount; ++i) fillLane(i, neighbours, bonds, flags, daughters);
+}
+
+void PairTable::fillLane(Index i, const NeighbourList& neighbours, const BondTable& bonds,
+                         std::span<const std::uint8_t> flags, bool daughters) {
+  const std::size_t g = i / laneCount, lane = i % laneCount;
+  std::uint32_t k = rows_[g].start;
+  const std::uint32_t end = k + rows_[g].count;
+  if (i < size_) {
+    const bool daughter = daughters && (flags[i] & AgentFlag::daughter);
+    forEachPartner(neighbours, bonds, i, [&](Index j, float rest) {
+      const bool mark = daughter || (daughters && (flags[j] & AgentFlag::daughter));
+      blocks_[k].partner[lane] = j;
+      blocks_[k].rest[lane] = mark ? -rest : rest;
+      if (mark) marked_[g] = 1;
+      ++k;
+    });
   }
-  marked_[g] = marked;
+  for (; k < end; ++k) {
+    blocks_[k].partner[lane] = nobody_;
+    blocks_[k].rest[lane] = std::numeric_limits<float>::infinity();
+  }
 }
 
 }  // namespace restenosis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -30,8 +31,8 @@ class PairTable {
   /// same number of agents.
   void build(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
              bool daughters);
-  /// The same where, since the last build or update, only the neighbours of the agents `changed` did. Agents
-  /// appended since are among these, and all fit below nobody().
+  /// The same where, since the last build or update, only the neighbours of the agents `changed`, in
+  /// ascending order, did. Agents appended since are among these, and all fit below nobody().
   void update(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
               bool daughters, std::span<const Index> changed);
 
@@ -43,7 +44,7 @@ class PairTable {
   std::span<const Block> group(std::size_t g) const {
     return {blocks_.data() + rows_[g].start, rows_[g].count};
   }
-  /// True if some pair of group g is marked for a daughter.
+  /// False if no pair of group g is marked for a daughter.
   bool marked(std::size_t g) const { return marked_[g] != 0; }
   std::size_t bytes() const { return blocks_.size() * sizeof(Block) + rows_.size() * sizeof(rows_[0]); }
 
@@ -53,8 +54,13 @@ class PairTable {
     std::uint32_t start = 0, count = 0, room = 0;
   };
   std::size_t groupCount() const { return (size_ + std::size_t{laneCount} - 1) / laneCount; }
+  static Index firstOf(std::size_t g) { return static_cast<Index>(g * laneCount); }
+  Index endOf(std::size_t g) const { return std::min(firstOf(g + 1), size_); }
+  /// Fills the blocks of group g, or of them what belongs to agent i.
   void fill(std::size_t g, const NeighbourList& neighbours, const BondTable& bonds,
             std::span<const std::uint8_t> flags, bool daughters);
+  void fillLane(Index i, const NeighbourList& neighbours, const BondTable& bonds,
+                std::span<const std::uint8_t> flags, bool daughters);
 
   Index size_ = 0, nobody_ = 0;
   std::vector<Block> blocks_;

@@ -8,10 +8,13 @@ OuterConfinement::OuterConfinement(const AgentStore& agents, double cellRadius, 
     : map_(agents, AgentKind::eel, 2 * cellRadius), margin_(margin) {}
 
 bool OuterConfinement::deepInside(const Vec3& position, double radius) const {
-  const double nearest = map_.lowestNear(position.x(), position.y(), position.z());
-  // The share of a millionth is beyond the slack that `release` grants for rounding.
-  const double within = (nearest - margin_ * radius) * (1 - 1e-6);
-  return within > 0 && position.head<2>().squaredNorm() < within * within;
+  const double squared = position.head<2>().squaredNorm();
+  const auto isWithin = [&](double surface) {
+    // The share of a millionth is beyond the slack that `release` grants for rounding.
+    const double within = (surface - margin_ * radius) * (1 - 1e-6);
+    return within > 0 && squared < within * within;
+  };
+  return isWithin(map_.lowest()) || isWithin(map_.lowestNear(position.x(), position.y(), position.z()));
 }
 
 void OuterConfinement::project(const AgentStore& agents, Index i, Vec3& position) const {

@@ -118,6 +118,7 @@ void RadiusMap::bound() {
       }
     }
   }
+  lowestOfAll_ = *std::ranges::min_element(lowest_);
 }
 
 double RadiusMap::lowestNear(double x, double y, double z) const {

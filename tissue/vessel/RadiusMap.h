@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "AgentStore.h"
@@ -20,6 +21,8 @@ class RadiusMap {
   double at(const Vec3& point) const;
   /// A bound that `at` is not below at a point [m], found without an angle; infinite without agents.
   double lowestNear(double x, double y, double z) const;
+  /// A bound that `at` is nowhere below [m]; infinite without agents.
+  double lowest() const { return lowestOfAll_; }
 
  private:
   double& value(int around, int along) { return values_[static_cast<std::size_t>(along) * around_ + around]; }
@@ -36,6 +39,7 @@ class RadiusMap {
   double zLow_ = 0, zStep_ = 1;
   std::vector<double> values_;
   std::vector<double> lowest_;  ///< by row of nodes along the vessel and sector
+  double lowestOfAll_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace restenosis

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "MovableGrid.h"
+#include "RandomStream.h"
+
+namespace restenosis {
+namespace {
+
+/// All points within `distance` of each point are candidates, and none twice.
+void expectComplete(const MovableGrid& grid, const std::vector<Vec3>& points, double distance) {
+  for (const Vec3& point : points) {
+    std::multiset<Index> candidates;
+    grid.forEachCandidate(point, distance, [&](Index j) { candidates.insert(j); });
+    for (Index j = 0; j < points.size(); ++j) {
+      ASSERT_LE(candidates.count(j), 1u);
+      if ((point - points[j]).norm() <= distance) {
+        ASSERT_EQ(candidates.count(j), 1u) << j;
+      }
+    }
+  }
+}
+
+TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
+  RandomStream random(3, 0, 0, RandomPurpose::packing);
+  const auto anywhere = [&] { return Vec3(random.uniform(), random.uniform(), random.uniform()); };
+  std::vector<Vec3> points(200);
+  for (Vec3& point : points) point = anywhere();
+  MovableGrid grid(points, 0.1);
+  expectComplete(grid, points, 0.12);
+  for (int step = 0; step < 5; ++step) {
+    for (std::size_t i = 0; i < points.size(); i += 3) {
+      points[i] = i % 2 == 0 ? anywhere() : Vec3(points[i] + 3 * anywhere());  // some leave the box
+      grid.place(static_cast<Index>(i), points[i]);
+    }
+    points.push_back(anywhere());
+    grid.place(grid.size(), points.back());
+    ASSERT_EQ(grid.size(), points.size());
+    for (const double distance : {0.01, 0.12, 0.5}) expectComplete(grid, points, distance);
+  }
+}
+
+TEST(MovableGrid, BeginsWithoutPoints) {
+  MovableGrid grid({}, 0.1);
+  grid.place(0, Vec3(5, 5, 5));
+  int found = 0;
+  grid.forEachCandidate(Vec3(5, 5, 5.05), 0.1, [&](Index) { ++found; });
+  EXPECT_EQ(found, 1);
+  EXPECT_THROW(MovableGrid({}, 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace restenosis
