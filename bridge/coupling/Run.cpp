@@ -298,6 +298,9 @@ void Run::writeSummary() {
     const auto flow = schedule_->counts().find("flow");
     if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
+  summary.relaxationIterations = world_.relaxation.iterations;
+  summary.agentEvaluations = world_.relaxation.agentEvaluations;
+  summary.evaluationsIfAllAwake = world_.relaxation.evaluationsIfAllAwake;
   summary.poiseuille = poiseuille();
   summary.parts = world_.timer.costs();
   summary.remarks = world_.remarks;

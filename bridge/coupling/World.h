@@ -50,6 +50,18 @@ struct FlowState {
   }
 };
 
+/// What bringing growing tissue back to equilibrium took since the start.
+struct RelaxationWork {
+  std::uint64_t iterations = 0;
+  std::uint64_t agentEvaluations = 0;       ///< forces computed, one an agent
+  std::uint64_t evaluationsIfAllAwake = 0;  ///< what as many iterations of all free agents would take
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(iterations, agentEvaluations, evaluationsIfAllAwake);
+  }
+};
+
 /// Everything that a run's parts share. What `archive` passes on is the state: a run read back from it goes
 /// on as if it had never stopped. The rest is given by the scene, or made again from the state when it is
 /// missing.
@@ -69,6 +81,7 @@ struct World {
   ChangeLedger changes;
   std::optional<InjuryReport> injury;
   std::uint64_t divisions = 0;  ///< since deployment
+  RelaxationWork relaxation;
   std::vector<std::string> remarks;
   /// Case of the last solve that the checkpoint knows; empty for none. A resumed run may need it.
   std::filesystem::path caseInCheckpoint;
@@ -85,7 +98,7 @@ struct World {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, biology, lumen, flow, changes, injury, divisions, remarks, timer);
+    a(wall, biology, lumen, flow, changes, injury, divisions, relaxation, remarks, timer);
   }
 
  private:

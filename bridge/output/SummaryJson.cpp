@@ -75,6 +75,9 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);
   json["flow"] = flowSolves(summary);
+  json["relaxation"] = {{"iterations", summary.relaxationIterations},
+                        {"agentEvaluations", summary.agentEvaluations},
+                        {"evaluationsIfAllAwake", summary.evaluationsIfAllAwake}};
   json["poiseuille"] = poiseuille(summary);
   json["parts"] = partCosts(summary);
   double total = 0;

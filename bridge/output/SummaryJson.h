@@ -25,14 +25,16 @@ struct Summary {
   std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
   std::uint64_t flowMeshesMoved = 0;                       ///< solves in the former mesh, moved
   std::map<std::string, std::uint64_t> flowRemeshed;  ///< the others, where meshes may be moved, by reason
-  std::optional<PoiseuilleError> poiseuille;          ///< in scenes where the exact stress is known
+  std::uint64_t relaxationIterations = 0, agentEvaluations = 0, evaluationsIfAllAwake = 0;
+  std::optional<PoiseuilleError> poiseuille;  ///< in scenes where the exact stress is known
   std::map<std::string, PartCost> parts;
   std::vector<std::string> remarks;  ///< warnings and retries of all parts
 };
 
 /// Writes summary.json: scene, title, status, version, seed, threads, agents, stateDigest, final (the columns
 /// of timeSeries.csv; null where unknown), flow (solves done,
-/// skipped, and skipped by reason; meshes moved, and made anew by reason), poiseuille
+/// skipped, and skipped by reason; meshes moved, and made anew by reason), relaxation (iterations during
+/// growth, forces computed, and how many it would be were no agent ever asleep), poiseuille
 /// (errors, null where the exact stress is not known), parts (seconds
 /// and peak memory), totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);

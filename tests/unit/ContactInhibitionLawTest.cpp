@@ -31,7 +31,7 @@ TEST(ExposureLaw, InhibitsWhatIsNotExposed) {
   const auto law = makeContactInhibitionLaw({});
   EXPECT_TRUE(law->inhibits({1, false, {}}));
   EXPECT_FALSE(law->inhibits({1, true, {}}));
-  EXPECT_EQ(law->range(), 2.0);
+  EXPECT_EQ(law->range(), 0);  // looks at no neighbour itself
 }
 
 TEST(NeighbourCountLaw, WeighsAndCountsWithinItsRange) {

@@ -37,13 +37,28 @@ TEST(ReferenceConfiguration, NoticesSlowMotionAndGrowthOnceTheyAddUp) {
   reference.follow(agents, 0.1);
   agents.x[0] = 0.06;
   EXPECT_TRUE(reference.follow(agents, 0.1).empty());
-  EXPECT_EQ(reference.agents().x[0], 0.0);
+  EXPECT_EQ(reference.shapes().x[0], 0.0);
   agents.x[0] = 0.12;
-  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{0, 0.12}));
+  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{0.06}));
   agents.radius[1] = 1.05;
   EXPECT_TRUE(reference.follow(agents, 0.1).empty());
   agents.radius[1] = 1.15;
-  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{10, 10}));
+  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{10}));
+  agents.x[0] = 5;
+  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{0.12, 5}));
+}
+
+TEST(ReferenceConfiguration, NamesPlacesThatHoldWhereAnAgentWasAndIs) {
+  ReferenceConfiguration reference;
+  AgentStore agents = row(1);
+  reference.follow(agents, 0.1);
+  const Vec3 before = agents.position(0), after(0.3, 0.2, 0.1);
+  agents.setPosition(0, after);
+  agents.radius[0] = 1.2;
+  const auto disturbed = reference.follow(agents, 0.1);
+  ASSERT_EQ(disturbed.size(), 1u);
+  EXPECT_GE(disturbed[0].radius, (before - disturbed[0].centre).norm() + r - 1e-12);
+  EXPECT_GE(disturbed[0].radius, (after - disturbed[0].centre).norm() + 1.2 - 1e-12);
 }
 
 TEST(ReferenceConfiguration, FollowsOrderBirthAndRemovalById) {
@@ -57,8 +72,7 @@ TEST(ReferenceConfiguration, FollowsOrderBirthAndRemovalById) {
   EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{10, 70}));
   const auto marks = reference.marks();
   EXPECT_EQ(std::vector<int>(marks.begin(), marks.end()), (std::vector<int>{0, 4, 1, 3}));
-  EXPECT_EQ(reference.agents().id, agents.id);
-  EXPECT_EQ(reference.agents().x, agents.x);
+  EXPECT_TRUE(std::ranges::equal(reference.shapes().x, agents.x));
 }
 
 TEST(ReferenceConfiguration, SurvivesAnArchive) {

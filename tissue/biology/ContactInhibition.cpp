@@ -47,7 +47,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
     }
   }
   if (!places.empty() || anyNew) {
-    const MirroredNeighbours neighbours(reference_.agents(), range_, vesselLength_);
+    const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
 #pragma omp parallel for schedule(dynamic, 64) if (places.size() > parallelThreshold)
     for (std::size_t k = 0; k < places.size(); ++k) {
       neighbours.forEachWithin(range_, places[k].centre, places[k].radius,
@@ -76,7 +76,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
 
 std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Index cell,
                                       std::vector<ContactNeighbour>& scratch) const {
-  const double radius = reference_.agents().radius[cell];
+  const double radius = reference_.shapes().radius[cell];
   const auto judgeWithin = [&](double range) -> Surroundings {
     neighbours.gather(cell, range, scratch);
     return {radius, measure_.exposed(radius, scratch), scratch};
@@ -95,7 +95,7 @@ std::vector<double> ContactInhibition::exposedShares(const AgentStore& agents,
                                                      const ContactInhibitionParameters& parameters,
                                                      double vesselLength) {
   const ExposureMeasure measure(parameters);
-  const MirroredNeighbours neighbours(agents, measure.range(), vesselLength);
+  const MirroredNeighbours neighbours(AgentShapes::of(agents), measure.range(), vesselLength);
   std::vector<double> shares(agents.size());
 #pragma omp parallel if (agents.size() > parallelThreshold)
   {

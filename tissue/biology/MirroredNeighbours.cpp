@@ -8,24 +8,30 @@ namespace restenosis {
 
 namespace {
 
-double largest(const std::vector<double>& radius) {
+double largest(std::span<const double> radius) {
   return radius.empty() ? 0.0 : *std::ranges::max_element(radius);
 }
 
 /// Half the distance to which most agents look: fewer candidates outside the sphere than with whole ones.
-double cellSize(const AgentStore& agents, double range) {
+double cellSize(const AgentShapes& agents, double range) {
   const double sum = std::accumulate(agents.radius.begin(), agents.radius.end(), 0.0);
   return sum > 0 ? range * sum / agents.size() : 1.0;
 }
 
+std::vector<Vec3> positions(const AgentShapes& agents) {
+  std::vector<Vec3> points(agents.size());
+  for (Index i = 0; i < agents.size(); ++i) points[i] = agents.position(i);
+  return points;
+}
+
 }  // namespace
 
-MirroredNeighbours::MirroredNeighbours(const AgentStore& agents, double range, double vesselLength)
+MirroredNeighbours::MirroredNeighbours(const AgentShapes& agents, double range, double vesselLength)
     : agents_(agents),
       range_(range),
       vesselLength_(vesselLength),
       largestRadius_(largest(agents.radius)),
-      grid_(agents, cellSize(agents, range)) {}
+      grid_(positions(agents), cellSize(agents, range)) {}
 
 double MirroredNeighbours::facing(Index j, const Vec3& offset, double distance) const {
   const double x = agents_.x[j], y = agents_.y[j], rho = std::hypot(x, y);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "AgentStore.h"
+#include "AgentShapes.h"
 #include "CellGrid.h"
 #include "ContactInhibitionLaw.h"
 
@@ -14,7 +14,7 @@ namespace restenosis {
 class MirroredNeighbours {
  public:
   /// For neighbours within up to `range` (R1 + R2). `vesselLength` [m]; 0: no ends, no images.
-  MirroredNeighbours(const AgentStore& agents, double range, double vesselLength);
+  MirroredNeighbours(const AgentShapes& agents, double range, double vesselLength);
 
   /// Calls f(j, offset, distance) for each agent and each image of one within `range` (radius + R_j) of
   /// `centre`, `offset` pointing to it. An agent at `centre` is among them. No stated order; several threads
@@ -58,7 +58,7 @@ class MirroredNeighbours {
     });
   }
 
-  const AgentStore& agents_;
+  AgentShapes agents_;
   double range_;
   double vesselLength_;
   double largestRadius_;

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
+
+#include "Room.h"
 
 namespace restenosis {
 
@@ -14,30 +19,38 @@ constexpr double shortMove = 0.5;
 }  // namespace
 
 bool ReferenceConfiguration::inOrderOf(const AgentStore& agents) const {
-  return copies_.size() <= agents.size() &&
-         std::equal(copies_.id.begin(), copies_.id.end(), agents.id.begin());
+  return size() <= agents.size() && std::equal(id_.begin(), id_.end(), agents.id.begin());
+}
+
+void ReferenceConfiguration::appendNew(AgentId id) {
+  const auto append = [](auto& values, auto value) {
+    makeRoom(values, values.size() + 1);
+    values.push_back(value);
+  };
+  append(id_, id);
+  for (auto* values : {&x_, &y_, &z_, &radius_}) append(*values, 0.0);
+  append(kind_, AgentKind::smc);
+  append(marks_, std::uint8_t{0});
+}
+
+void ReferenceConfiguration::copy(const AgentStore& agents, Index i) {
+  x_[i] = agents.x[i], y_[i] = agents.y[i], z_[i] = agents.z[i];
+  radius_[i] = agents.radius[i];
+  kind_[i] = agents.kind[i];
 }
 
 std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore& agents) {
   std::unordered_map<AgentId, Index> copyOf;
-  copyOf.reserve(copies_.size());
-  for (Index i = 0; i < copies_.size(); ++i) copyOf.emplace(copies_.id[i], i);
+  copyOf.reserve(size());
+  for (Index i = 0; i < size(); ++i) copyOf.emplace(id_[i], i);
 
-  // Copies in the order of their agents first, then those whose agents are gone, which are cut off.
-  std::vector<Index> order;
-  order.reserve(copies_.size());
+  constexpr Index isNew = std::numeric_limits<Index>::max();
+  std::vector<Index> order(agents.size(), isNew);
   for (Index i = 0; i < agents.size(); ++i) {
     const auto found = copyOf.find(agents.id[i]);
-    if (found == copyOf.end()) {
-      // Stands in until follow() copies the agent; a radius of none differs from every agent's.
-      const Index stand = copies_.append(agents.kind[i], agents.position(i), 0.0);
-      copies_.id[stand] = agents.id[i];
-      marks_.push_back(0);
-      order.push_back(stand);
-    } else {
-      order.push_back(found->second);
-      copyOf.erase(found);
-    }
+    if (found == copyOf.end()) continue;
+    order[i] = found->second;
+    copyOf.erase(found);
   }
   std::vector<Index> gone;
   for (const auto& [id, index] : copyOf) gone.push_back(index);
@@ -45,14 +58,15 @@ std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore
   std::vector<DisturbedPlace> left;
   for (const Index i : gone) left.push_back(placeOf(i));
 
-  order.insert(order.end(), gone.begin(), gone.end());
-  copies_.reorder(order);
-  const auto oldMarks = marks_;
-  for (std::size_t k = 0; k < order.size(); ++k) marks_[k] = oldMarks[order[k]];
-  std::vector<std::uint8_t> remove(copies_.size(), 0);
-  std::fill(remove.begin() + agents.size(), remove.end(), std::uint8_t{1});
-  copies_.erase(remove);
-  marks_.resize(agents.size());
+  const auto reorder = [&order](auto& values) {
+    std::remove_reference_t<decltype(values)> ordered(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      if (order[k] != isNew) ordered[k] = values[order[k]];
+    }
+    values = std::move(ordered);
+  };
+  reorder(x_), reorder(y_), reorder(z_), reorder(radius_), reorder(kind_), reorder(marks_);
+  id_ = agents.id;
   return left;
 }
 
@@ -60,22 +74,15 @@ std::vector<DisturbedPlace> ReferenceConfiguration::follow(const AgentStore& age
   std::vector<DisturbedPlace> places;
   if (!inOrderOf(agents)) places = reorderLike(agents);
   for (Index i = 0; i < agents.size(); ++i) {
-    if (i == copies_.size()) {
-      copies_.append(agents.kind[i], agents.position(i), 0.0);
-      copies_.id[i] = agents.id[i];
-      marks_.push_back(0);
-    }
-    const double reference = copies_.radius[i];
-    const double allowed = tolerance * reference;
-    const bool isNew = reference == 0;
-    if (!isNew && copies_.kind[i] == agents.kind[i] && std::abs(agents.radius[i] - reference) <= allowed &&
-        (agents.position(i) - copies_.position(i)).squaredNorm() <= allowed * allowed) {
+    if (i == size()) appendNew(agents.id[i]);
+    const double allowed = tolerance * radius_[i];
+    const bool isNew = radius_[i] == 0;
+    if (!isNew && kind_[i] == agents.kind[i] && std::abs(agents.radius[i] - radius_[i]) <= allowed &&
+        (agents.position(i) - shapes().position(i)).squaredNorm() <= allowed * allowed) {
       continue;
     }
     const DisturbedPlace before = placeOf(i);
-    copies_.setPosition(i, agents.position(i));
-    copies_.radius[i] = agents.radius[i];
-    copies_.kind[i] = agents.kind[i];
+    copy(agents, i);
     const DisturbedPlace after = placeOf(i);
     const double apart = (after.centre - before.centre).norm();
     if (isNew) {

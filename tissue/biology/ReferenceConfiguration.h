@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "AgentStore.h"
+#include "AgentShapes.h"
 
 namespace restenosis {
 
@@ -25,23 +25,28 @@ class ReferenceConfiguration {
   /// place where the copy changed, old and new ones. Afterwards index i here is agent i there.
   std::vector<DisturbedPlace> follow(const AgentStore& agents, double tolerance);
 
-  /// Positions, radii, kinds and ids; nothing else is kept up to date.
-  const AgentStore& agents() const { return copies_; }
+  AgentShapes shapes() const { return {x_, y_, z_, radius_, kind_}; }
   /// A byte for each agent that goes with it through changes of order; 0 for a new one.
   std::span<std::uint8_t> marks() { return marks_; }
 
   template <class Archive>
   void archive(Archive& a) {
-    a(copies_, marks_);
+    a(id_, x_, y_, z_, radius_, kind_, marks_);
   }
 
  private:
   /// Takes on the order of `agents`; returns the places of copies whose agent is gone.
   std::vector<DisturbedPlace> reorderLike(const AgentStore& agents);
   bool inOrderOf(const AgentStore& agents) const;
-  DisturbedPlace placeOf(Index i) const { return {copies_.position(i), copies_.radius[i]}; }
+  Index size() const { return static_cast<Index>(id_.size()); }
+  DisturbedPlace placeOf(Index i) const { return {shapes().position(i), radius_[i]}; }
+  /// Appends a stand-in for an agent that is yet to be copied; a radius of none differs from every agent's.
+  void appendNew(AgentId id);
+  void copy(const AgentStore& agents, Index i);
 
-  AgentStore copies_;
+  std::vector<AgentId> id_;
+  std::vector<double> x_, y_, z_, radius_;  ///< [m]
+  std::vector<AgentKind> kind_;
   std::vector<std::uint8_t> marks_;
 };
 

@@ -57,6 +57,9 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
                          .maximum = 10,
                          .source = "ISR3D",
                          .description = "largest force left on an agent over C r0^2"});
+  p.boolean(sleeping, {.key = "sleeping",
+                       .source = "assumed",
+                       .description = "move only whom a disturbance reaches; without, all or none"});
   p.quantity(stepLimit, {.key = "stepLimit",
                          .minimum = 1e-6,
                          .maximum = 0.5,

@@ -22,6 +22,7 @@ struct MechanicsParameters {
   std::string minimiser = "fire";
   std::string precision = "automatic";    ///< of the forces on the way to equilibrium
   double tolerance = 0.04;                ///< largest residual over F_char = C r0^2
+  bool sleeping = true;                   ///< only agents that a disturbance reaches are moved
   double stepLimit = 0.05;                ///< largest move of an agent in one step, over its radius
   std::int64_t maximumIterations = 5000;  ///< of one relaxation
   bool stopAtMaximum = false;             ///< accept what `maximumIterations` gave (T6's fixed effort)

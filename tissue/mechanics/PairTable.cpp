@@ -54,6 +54,11 @@ void PairTable::build(const NeighbourList& neighbours, const BondTable& bonds,
                       std::span<const std::uint8_t> flags, bool daughters) {
   size_ = neighbours.size();
   nobody_ = size_ + size_ / 8;
+  layOut(neighbours, bonds, flags, daughters);
+}
+
+void PairTable::layOut(const NeighbourList& neighbours, const BondTable& bonds,
+                       std::span<const std::uint8_t> flags, bool daughters) {
   const std::size_t groups = groupCount();
   rows_.resize(groups);
   marked_.assign(groups, 0);
@@ -100,7 +105,7 @@ void PairTable::update(const NeighbourList& neighbours, const BondTable& bonds,
     blocks_.resize(blocks_.size() + row.room);
   }
   if (static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(blocks_.size()))
-    return build(neighbours, bonds, flags, daughters);
+    return layOut(neighbours, bonds, flags, daughters);
   forEachInChunks(runs.size(), [&](std::size_t k) {
     if (whole[k]) return fill(runs[k].front() / laneCount, neighbours, bonds, flags, daughters);
     for (const Index i : runs[k]) fillLane(i, neighbours, bonds, flags, daughters);

@@ -54,6 +54,9 @@ class PairTable {
     std::uint32_t start = 0, count = 0, room = 0;
   };
   std::size_t groupCount() const { return (size_ + std::size_t{laneCount} - 1) / laneCount; }
+  /// Gives every group its blocks and fills them.
+  void layOut(const NeighbourList& neighbours, const BondTable& bonds, std::span<const std::uint8_t> flags,
+              bool daughters);
   static Index firstOf(std::size_t g) { return static_cast<Index>(g * laneCount); }
   Index endOf(std::size_t g) const { return std::min(firstOf(g + 1), size_); }
   /// Fills the blocks of group g, or of them what belongs to agent i.

@@ -34,8 +34,9 @@ constexpr double skinOverRadius = 0.4;
 struct Relaxation::Standing {
   Standing(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
            const ForceField& field, NeighbourList& neighbours, const AgentForces::Settings& settings,
-           double tolerance)
-      : forces(agents, bonds, constraints, field, neighbours, settings), relaxing(forces, tolerance) {}
+           double tolerance, bool sleeping)
+      : forces(agents, bonds, constraints, field, neighbours, settings),
+        relaxing(forces, tolerance, sleeping) {}
 
   AgentForces forces;
   RelaxingAgents relaxing;
@@ -86,7 +87,7 @@ RelaxationReport Relaxation::relaxAgain(AgentStore& agents, const BondTable& bon
         .skin = skinOverRadius * referenceRadius_,
         .scale = mixedScale()};
     standing = std::make_unique<Standing>(agents, bonds, constraints, field_, neighbours_, settings,
-                                          parameters_.tolerance * characteristicForce_);
+                                          parameters_.tolerance * characteristicForce_, parameters_.sleeping);
   }
   const RelaxationReport report = settle(*standing);
   if (report.converged) standing_ = std::move(standing);
@@ -114,6 +115,8 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
   }
   if (!report.converged) relaxing.wakeAnyone();  // so that the residual reported is that of all agents
   report.residual = relaxing.residual() / characteristicForce_;
+  report.evaluationsIfAllAwake =
+      static_cast<std::uint64_t>(report.iterations) * standing.forces.free().size();
   report.agentEvaluations = standing.forces.evaluations() - evaluationsBefore;
   if (!report.converged && !parameters_.stopAtMaximum) {
     throw RelaxationFailed(fmt::format(

@@ -17,8 +17,9 @@ namespace restenosis {
 /// What a relaxation did.
 struct RelaxationReport {
   int iterations = 0;
-  double residual = 0;                 ///< largest force left on a free agent over C r0^2
-  std::uint64_t agentEvaluations = 0;  ///< forces computed, one per agent and iteration
+  double residual = 0;                      ///< largest force left on a free agent over C r0^2
+  std::uint64_t agentEvaluations = 0;       ///< forces computed, one an agent
+  std::uint64_t evaluationsIfAllAwake = 0;  ///< what as many iterations of all free agents would take
   bool converged = false;
 };
 

@@ -39,8 +39,8 @@ struct Largest {
 
 }  // namespace
 
-RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance)
-    : forces_(forces), tolerance_(tolerance) {}
+RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping)
+    : forces_(forces), tolerance_(tolerance), sleeping_(sleeping) {}
 
 void RelaxingAgents::begin() {
   for (const Index i : awake_) {
@@ -136,8 +136,9 @@ void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
   for (const Index j : sleepers) marked_[j] = 0;
   std::ranges::sort(sleepers);
   wake(sleepers);
-  const auto local = static_cast<std::size_t>(localShare * static_cast<double>(forces_.free().size()));
-  if (awake_.size() > std::max(localCount, local)) {
+  const auto share = static_cast<std::size_t>(localShare * static_cast<double>(forces_.free().size()));
+  const bool local = awake_.size() <= std::max(localCount, share) && (sleeping_ || awake_.empty());
+  if (!local) {
     std::vector<Index> rest;
     std::ranges::copy_if(forces_.free(), std::back_inserter(rest), [&](Index i) { return !isAwake_[i]; });
     wake(rest);
@@ -148,6 +149,7 @@ void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
 }
 
 void RelaxingAgents::retireQuiet(double settled) {
+  if (!sleeping_) return;
   std::vector<Index> kept;
   std::ranges::copy_if(awake_, std::back_inserter(kept),
                        [&](Index i) { return forces_.residual()[i] > settled; });

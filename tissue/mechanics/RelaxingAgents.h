@@ -15,8 +15,9 @@ namespace restenosis {
 /// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
-  /// All are asleep. `tolerance` is the residual above which an agent is not at rest [N].
-  RelaxingAgents(AgentForces& forces, double tolerance);
+  /// All are asleep. `tolerance` is the residual above which an agent is not at rest [N]. Without `sleeping`
+  /// all are awake as soon as one is.
+  RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping);
 
   /// Sends everybody to sleep, computes all forces that may have changed and wakes the agents above the
   /// tolerance.
@@ -58,6 +59,7 @@ class RelaxingAgents {
 
   AgentForces& forces_;
   double tolerance_;  ///< [N]
+  bool sleeping_;
 
   std::vector<Vec3> velocity_;
   std::vector<std::uint8_t> isAwake_;

@@ -18,7 +18,10 @@ Verdict RelaxPart::inputsChanged(const Instant&) const {
 void RelaxPart::run(const Instant&) {
   auto measurement = world_.timer.measure("relax");
   const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
-  relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
+  const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
+  world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
+  world_.relaxation.agentEvaluations += report.agentEvaluations;
+  world_.relaxation.evaluationsIfAllAwake += report.evaluationsIfAllAwake;
   world_.changes.markRead(name(), Quantity::cellStates);
   world_.changes.touch(Quantity::agentPositions);
 }
