@@ -194,6 +194,22 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
   EXPECT_LT(report.agentEvaluations - everyoneOnce, 0.2 * report.iterations * everyoneOnce);
 }
 
+TEST(Relaxation, MovesEverybodyWithoutSleeping) {
+  MechanicsParameters p;
+  Block block(12);
+  Relaxation(p, r0).relax(block.agents, block.bonds, {});
+  p.sleeping = false;
+  Relaxation all(p, r0);
+  const AgentStore atRest = block.agents;
+  EXPECT_EQ(all.relax(block.agents, block.bonds, {}).iterations, 0) << "nobody is above the tolerance";
+  EXPECT_EQ(atRest.x, block.agents.x);
+  block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
+  const auto report = all.relax(block.agents, block.bonds, {});
+  ASSERT_GT(report.iterations, 5);
+  EXPECT_GE(report.agentEvaluations, report.evaluationsIfAllAwake);
+  EXPECT_LE(largestResidual(p, block), p.tolerance);
+}
+
 TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
   // All of a long column is disturbed a little, one agent much.
   MechanicsParameters p;

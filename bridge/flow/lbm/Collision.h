@@ -2,7 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <type_traits>
+
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
 
 #include "D3Q19.h"
 
@@ -31,6 +37,60 @@ struct Of {
   typedef Real type __attribute__((vector_size(bytes)));
   static constexpr std::size_t count = bytes / sizeof(Real);
 };
+
+/// Loads and stores whole vectors.
+template <class Real>
+struct Whole {
+  using V = typename Of<Real>::type;
+  V load(const Real* from) const {
+    V v;
+    std::memcpy(&v, from, sizeof(V));
+    return v;
+  }
+  void store(Real* to, const V& v) const { std::memcpy(to, &v, sizeof(V)); }
+};
+
+/// Loads and stores the first `count` elements of vectors; touches no memory of the others, which may be
+/// another thread's.
+template <class Real>
+class Part {
+ public:
+  using V = typename Of<Real>::type;
+#if defined(__AVX__) && !defined(__AVX512F__)
+  explicit Part(std::size_t count) {
+    alignas(bytes) std::array<Word, Of<Real>::count> mask{};
+    for (std::size_t k = 0; k < count; ++k) mask[k] = -1;
+    std::memcpy(&mask_, mask.data(), sizeof mask_);
+  }
+  V load(const Real* from) const {
+    if constexpr (sizeof(Real) == 4)
+      return (V)_mm256_maskload_ps(from, mask_);
+    else
+      return (V)_mm256_maskload_pd(from, mask_);
+  }
+  void store(Real* to, const V& v) const {
+    if constexpr (sizeof(Real) == 4)
+      _mm256_maskstore_ps(to, mask_, (__m256)v);
+    else
+      _mm256_maskstore_pd(to, mask_, (__m256d)v);
+  }
+
+ private:
+  using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+  __m256i mask_;
+#else
+  explicit Part(std::size_t count) : size_(count * sizeof(Real)) {}
+  V load(const Real* from) const {
+    V v{};
+    std::memcpy(&v, from, size_);
+    return v;
+  }
+  void store(Real* to, const V& v) const { std::memcpy(to, &v, size_); }
+
+ private:
+  std::size_t size_;
+#endif
+};
 }  // namespace lanes
 
 /// Collides `lanes::Of<Real>::count` nodes that follow each other, in place. slots[i] is where the first
@@ -42,15 +102,14 @@ struct Of {
 ///     w (rho' + 3 cu + 4.5 cu^2 - 1.5 u^2),
 /// in which density departs from 1 only by the pressure; with equal rates, BGK. The force is that of Guo et
 /// al. (2002), its even and odd parts weighted by the even and odd rates.
-template <class Real, bool forced>
-inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<Real>& k) {
+///
+/// `memory` is how vectors are loaded and stored: all of them, or as many nodes as are left.
+template <class Real, bool forced, class Memory>
+inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<Real>& k,
+                         const Memory& memory) {
   using V = typename lanes::Of<Real>::type;
   using namespace d3q19;
-  const auto load = [at](const Real* slot) {
-    V v;
-    std::memcpy(&v, slot + at, sizeof(V));
-    return v;
-  };
+  const auto load = [&](const Real* slot) -> V { return memory.load(slot + at); };
   V sum[pairs], difference[pairs];
   V rho = load(slots[0]);
   const V rest = rho;
@@ -78,7 +137,7 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
   const V base = rho - Real(1.5) * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
   const Real evenKeep = Real(0.5) * (1 - k.evenRate), oddKeep = Real(0.5) * (1 - k.oddRate);
   const Real evenForce = 1 - Real(0.5) * k.evenRate, oddForce = 1 - Real(0.5) * k.oddRate;
-  const auto store = [at](Real* slot, const V& v) { std::memcpy(slot + at, &v, sizeof(V)); };
+  const auto store = [&](Real* slot, const V& v) { memory.store(slot + at, v); };
 
   constexpr Real restWeight = Real(weight(0));
   V stay = (1 - k.evenRate) * rest + (restWeight * k.evenRate) * base;
@@ -106,23 +165,16 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
   }
 }
 
-/// Collides `count` nodes that follow each other. Nodes that do not fill the lanes are collided in a copy.
+/// Collides `count` nodes that follow each other.
 template <class Real, bool forced>
-inline void collideRun(Real* const* slots, std::size_t count, const Collision<Real>& k) {
+inline void collideRun(Real* const* slots, std::size_t count, const Collision<Real>& collision) {
+  const Collision<Real> k = collision;  // a copy that no population can be part of stays in registers
   constexpr std::size_t lane = lanes::Of<Real>::count;
   std::size_t at = 0;
   for (; at + lane <= count; at += lane)
-    collideLanes<Real, forced>(slots, static_cast<std::ptrdiff_t>(at), k);
-  if (at == count) return;
-  alignas(lanes::bytes) Real copy[d3q19::directions][lane] = {};
-  Real* copySlots[d3q19::directions];
-  for (int i = 0; i < d3q19::directions; ++i) {
-    copySlots[i] = copy[i];
-    std::memcpy(copy[i], slots[i] + at, (count - at) * sizeof(Real));
-  }
-  collideLanes<Real, forced>(copySlots, 0, k);
-  for (int i = 0; i < d3q19::directions; ++i)
-    std::memcpy(slots[i] + at, copy[i], (count - at) * sizeof(Real));
+    collideLanes<Real, forced>(slots, static_cast<std::ptrdiff_t>(at), k, lanes::Whole<Real>());
+  if (at < count)
+    collideLanes<Real, forced>(slots, static_cast<std::ptrdiff_t>(at), k, lanes::Part<Real>(count - at));
 }
 
 }  // namespace restenosis

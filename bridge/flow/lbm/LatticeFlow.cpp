@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -15,6 +16,7 @@ namespace restenosis {
 namespace {
 
 constexpr std::size_t nodesPerShare = 8192;
+constexpr std::size_t nodesTogether = 256;  // of an end
 constexpr std::size_t hugePage = std::size_t{1} << 21;
 
 /// Runs in portions: indices of the first run of each, and the number of runs.
@@ -140,13 +142,18 @@ Real LatticeFlow<Real>::arriving(const LatticeBoundary::PressureNode& node, int 
 template <class Real>
 template <typename LatticeFlow<Real>::Parity parity>
 void LatticeFlow<Real>::applyPressure() {
+  // Populations of the ends lie far apart: direction after direction the waits for memory overlap.
 #pragma omp for schedule(static)
-  for (std::size_t n = 0; n < ends_.size(); ++n) {
-    ends_[n] = {0.0, 0.5 * relaxation_.force.z()};
+  for (std::size_t begin = 0; begin < ends_.size(); begin += nodesTogether) {
+    const std::size_t end = std::min(ends_.size(), begin + nodesTogether);
+    for (std::size_t n = begin; n < end; ++n) ends_[n] = {0.0, 0.5 * relaxation_.force.z()};
     for (int i = 0; i < d3q19::directions; ++i) {
-      const auto f = static_cast<double>(arriving<parity>(boundary_.pressureNodes[n], i));
-      ends_[n].density += f;
-      ends_[n].velocity += f * d3q19::c[static_cast<std::size_t>(i)][2];
+      const double along = d3q19::c[static_cast<std::size_t>(i)][2];
+      for (std::size_t n = begin; n < end; ++n) {
+        const auto f = static_cast<double>(arriving<parity>(boundary_.pressureNodes[n], i));
+        ends_[n].density += f;
+        ends_[n].velocity += f * along;
+      }
     }
   }
   if (boundary_.expectedOutflow >= 0.0) {
