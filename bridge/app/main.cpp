@@ -5,6 +5,7 @@
 #include "CheckCommand.h"
 #include "CompareCommand.h"
 #include "ExitStatus.h"
+#include "LargeArrays.h"
 #include "RunCommand.h"
 #include "SchemaCommand.h"
 #include "ThreadWaiting.h"
@@ -14,6 +15,7 @@
 int main(int argc, char** argv) {
   using namespace restenosis;
   waitWithoutSpinning(argv);
+  returnLargeArrays();
 
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
   app.set_version_flag("--version", std::string(version()));

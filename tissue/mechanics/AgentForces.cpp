@@ -61,7 +61,6 @@ AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
 
 void AgentForces::start() {
   const std::size_t count = agents_.size();
-  names_ = agents_.id;
   force_.assign(count, Vec3::Zero());
   stiffness_.assign(count, settings_.softest);
   residual_.assign(count, 0.0);
@@ -87,16 +86,14 @@ void AgentForces::start() {
 
 void AgentForces::refresh() {
   requireSound(agents_, bonds_);
-  if (outgrown_ || !sameAgents()) return start();
+  if (outgrown_ || !neighbours_.sameAgents(agents_)) return start();
   project();
-  const auto known = static_cast<Index>(names_.size());
+  const Index known = neighbours_.size();
   const std::size_t count = agents_.size();
   lengthen(force_, count, Vec3::Zero().eval());
   lengthen(stiffness_, count, settings_.softest);
   lengthen(residual_, count, 0.0);
   lengthen(unsure_, count, std::uint8_t{1});
-  makeRoom(names_, count);
-  names_.insert(names_.end(), agents_.id.begin() + known, agents_.id.end());
 
   std::vector<Index> others;
   for (Index i = 0; i < known; ++i) {
@@ -120,10 +117,6 @@ void AgentForces::refresh() {
   for (const Index i : change.agents) unsure_[i] = 1;
   for (const Index i : others) doubtAround(i);
   moving_.clear();
-}
-
-bool AgentForces::sameAgents() const {
-  return names_.size() <= agents_.size() && std::equal(names_.begin(), names_.end(), agents_.id.begin());
 }
 
 bool AgentForces::isFree(Index i) const {

@@ -78,8 +78,6 @@ class AgentForces {
   void packAll();
   void buildPairs();
   bool marksDaughters() const { return range_.daughterFactor > range_.factor; }
-  /// Whether the agents known are still the first, in the same order.
-  bool sameAgents() const;
   template <class Spheres>
   void evaluate(const Spheres& spheres, std::span<const Index> subset);
 
@@ -96,7 +94,6 @@ class AgentForces {
   PairTable pairs_;
   std::vector<FixedSphere> fixed_;  ///< in mixed precision only
   std::vector<Sphere> spheres_;     ///< in mixed precision of the time of evaluateExactly()
-  std::vector<AgentId> names_;
   std::vector<Vec3> force_;
   std::vector<double> stiffness_;
   std::vector<double> residual_;

@@ -60,6 +60,8 @@ std::optional<FixedScale> Relaxation::mixedScale() const {
 }
 
 Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
+  if (neighbours_.size() != agents.size())
+    throw std::logic_error("Relaxation::agentsBeyondLaw: these agents were not relaxed last");
   Index count = 0;
   for (Index i = 0; i < agents.size(); ++i) {
     count += agents.kind[i] != AgentKind::strut && field_.overlapOverValid(agents, neighbours_, i) > 1;
@@ -92,6 +94,11 @@ RelaxationReport Relaxation::relaxAgain(AgentStore& agents, const BondTable& bon
   const RelaxationReport report = settle(*standing);
   if (report.converged) standing_ = std::move(standing);
   return report;
+}
+
+void Relaxation::forget() {
+  standing_.reset();
+  neighbours_ = NeighbourList();
 }
 
 RelaxationReport Relaxation::settle(Standing& standing) const {

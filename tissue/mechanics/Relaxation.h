@@ -56,6 +56,10 @@ class Relaxation {
   RelaxationReport relaxAgain(AgentStore& agents, const BondTable& bonds,
                               std::span<const Constraint* const> constraints);
 
+  /// Gives back the memory that relaxAgain would go on from; it costs time only. Nothing is known of the last
+  /// relaxation then.
+  void forget();
+
   /// Agents of the last relaxation, but for struts, with an overlap past the contact law's validity: its
   /// continuation acts on them.
   Index agentsBeyondLaw(const AgentStore& agents) const;

@@ -51,6 +51,8 @@ class NeighbourList {
   std::span<const Index> of(Index i) const { return {neighbours_.data() + rows_[i].start, rows_[i].count}; }
   Index size() const { return static_cast<Index>(anchors_.size()); }
   std::size_t pairCount() const;
+  /// Whether the agents of the list are still the first, in the same order.
+  bool sameAgents(const AgentStore& agents) const;
 
   /// True if agent i has gone so far that, with another that has gone as far, a pair may be missing. Radii
   /// are those of the last build or update.
@@ -74,7 +76,6 @@ class NeighbourList {
     std::uint32_t count = 0, room = 0;
   };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
-  bool sameAgents(const AgentStore& agents) const;
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
   bool worthLookingUp(const std::vector<Index>& names) const;

@@ -15,13 +15,15 @@ Verdict RelaxPart::inputsChanged(const Instant&) const {
   return Verdict::skip("no cell grew or divided");
 }
 
-void RelaxPart::run(const Instant&) {
+void RelaxPart::run(const Instant& now) {
   auto measurement = world_.timer.measure("relax");
   const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
   const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
   world_.relaxation.agentEvaluations += report.agentEvaluations;
   world_.relaxation.evaluationsIfAllAwake += report.evaluationsIfAllAwake;
+  // What is recorded is copied: the relaxation makes room, or both together would be the peak of memory.
+  if (now.recorded) relaxation_.forget();
   world_.changes.markRead(name(), Quantity::cellStates);
   world_.changes.touch(Quantity::agentPositions);
 }
