@@ -188,11 +188,10 @@ void Run::buildSchedule() {
   flowNeedsFormerCase_ = backend && backend->needsFormerCase();
   if (backend) {
     schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
-    if (scene_.endothelium) {
-      schedule_->add(std::make_unique<WallShearPart>(world_));
-      schedule_->add(std::make_unique<NitricOxidePart>(world_));
-    }
+    if (scene_.endothelium) schedule_->add(std::make_unique<WallShearPart>(world_));
   }
+  // Without flow there is none, but who is covered is part of the state all the same.
+  if (scene_.endothelium) schedule_->add(std::make_unique<NitricOxidePart>(world_));
   auto record = std::make_unique<RecordPart>(world_);
   record_ = record.get();
   schedule_->add(std::move(record));

@@ -21,6 +21,7 @@ void writePolyData(const std::filesystem::path& file, vtkPolyData* data, double 
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // coordinates hardly compress; higher levels cost three times as long
   writer->SetHeaderTypeToUInt64();
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0) throw WriteFailed(fmt::format("cannot encode {}", file.string()));

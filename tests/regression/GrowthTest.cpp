@@ -75,6 +75,12 @@ TEST_F(Growth, TakesTheLumenOnlyWhereItIsRead) {
   EXPECT_GT(json["relaxation"]["iterations"], 0);
   EXPECT_GT(json["relaxation"]["agentEvaluations"], 0);
   EXPECT_GT(json["relaxation"]["evaluationsIfAllAwake"], json["relaxation"]["iterations"]);
+
+  // What is recorded, and when, changes nothing that grows.
+  ASSERT_EXIT_STATUS(run({"run", scene("tiny", tinyScene), "-o", "seldom", "--flow", "none", "--set",
+                          "output.interval=2 d"}),
+                     0);
+  EXPECT_EQ(digest("seldom"), digest("out"));
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
                                           agents.id[bad.agent], agents.radius[bad.agent]));
 }
 
+// Of a distance: farther apart no rounding can make a pair act.
+constexpr double beyondRounding = 1 + 1e-6;
+
 /// Lets `values` hold `count` elements, the new ones `value`.
 template <class T>
 void lengthen(std::vector<T>& values, std::size_t count, const T& value) {
@@ -114,7 +117,6 @@ void AgentForces::refresh() {
     for (const Index i : others) take(i);
     pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
   }
-  for (const Index i : change.agents) unsure_[i] = 1;
   for (const Index i : others) doubtAround(i);
   moving_.clear();
 }
@@ -150,10 +152,20 @@ void AgentForces::buildPairs() {
   packAll();
 }
 
+bool AgentForces::mayAct(Index i, const Vec3& position, double radius, Index j) const {
+  const double sum = radius + std::max(spheres_[j].r, agents_.radius[j]);
+  const bool daughter = ((agents_.flags[i] | agents_.flags[j]) & AgentFlag::daughter) != 0;
+  const double reach = beyondRounding * (daughter ? range_.daughterFactor : range_.factor) * sum;
+  return (position - agents_.position(j)).squaredNorm() < reach * reach;
+}
+
 void AgentForces::doubtAround(Index i) {
   unsure_[i] = 1;
-  if (i < neighbours_.size()) {
-    for (const Index j : neighbours_.of(i)) unsure_[j] = 1;
+  // Without mixed precision it is not known where the agent was.
+  const Sphere& before = spheres_[i];
+  const Vec3 was(before.x, before.y, before.z), is = agents_.position(i);
+  for (const Index j : neighbours_.of(i)) {
+    if (!scale_ || mayAct(i, was, before.r, j) || mayAct(i, is, agents_.radius[i], j)) unsure_[j] = 1;
   }
   for (const Bond& bond : bonds_.of(i)) unsure_[bond.partner] = 1;
 }

@@ -74,6 +74,9 @@ class AgentForces {
   bool fits(Index i) const;
   bool changed(Index i) const;
   void take(Index i);
+  /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
+  bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
+  /// The force on agent i and on those it acts on or acted on at the time of evaluateExactly() is unsure.
   void doubtAround(Index i);
   void packAll();
   void buildPairs();
