@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "CellGrid.h"
 #include "NeighbourQuery.h"
@@ -20,6 +21,9 @@ constexpr double mostLookedUp = 0.1;
 constexpr std::uint32_t spareEntries = 8;
 // When more than this share of the entries is abandoned, the list is built anew.
 constexpr double mostAbandoned = 0.25;
+
+// No agent has this index.
+constexpr Index none = std::numeric_limits<Index>::max();
 
 double widestFactor(const NeighbourRange& range) { return std::max(range.factor, range.daughterFactor); }
 
@@ -225,6 +229,7 @@ void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
   if (!grid_) grid_.emplace(positions(anchors_), widestReach(range_, largestRadius_));
+  const Index known = size();
   makeRoom(anchors_, agents.size());
   makeRoom(rows_, agents.size());
   anchors_.resize(agents.size());
@@ -237,67 +242,66 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
     stale_[i] = 1;
   }
   std::vector<std::vector<Index>> found(names.size());
+  std::vector<std::vector<Edit>> editsOf(names.size());
   const auto count = static_cast<std::ptrdiff_t>(names.size());
 #pragma omp parallel for schedule(dynamic, 16) if (count > 256)
-  for (std::ptrdiff_t k = 0; k < count; ++k) appendInRange(names[k], found[k]);
-
-  // The same pairs seen from the agents that were not looked up: whom they lose, and whom they have now.
-  std::vector<Pair> others;
-  std::vector<Index> beside;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    for (const Index j : of(names[k])) {
-      if (!stale_[j]) beside.push_back(j);
-    }
-    for (const Index j : found[k]) {
-      if (!stale_[j]) others.emplace_back(j, names[k]);
-    }
-  }
-  std::ranges::sort(others);
-  for (const auto& pair : others) beside.push_back(pair.first);
-  std::ranges::sort(beside);
-  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-
-  const auto besideCount = static_cast<std::ptrdiff_t>(beside.size());
-  std::vector<std::uint8_t> outgrown(beside.size(), 0);
-#pragma omp parallel if (besideCount > 1024)
-  {
-    std::vector<Index> row;
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t k = 0; k < besideCount; ++k) {
-      mergeRow(beside[k], others, row);
-      if (row.size() <= rows_[beside[k]].room) {
-        setRow(beside[k], row);
-      } else {
-        outgrown[k] = 1;
-      }
-    }
-  }
-  std::vector<Index> row;
-  for (std::size_t k = 0; k < beside.size(); ++k) {
-    if (!outgrown[k]) continue;
-    mergeRow(beside[k], others, row);
-    setRow(beside[k], row);
-  }
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    setRow(names[k], found[k]);
-    stale_[names[k]] = 0;
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    appendInRange(names[k], found[k]);
+    editsOf[k] = difference(names[k], found[k]);
   }
 
   std::vector<Index> changed;
-  std::ranges::merge(beside, names, std::back_inserter(changed));
-  return changed;
+  std::vector<Edit> edits;  // of rows whose agents were not looked up themselves
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    stale_[names[k]] = 0;
+    if (editsOf[k].empty() && names[k] < known) continue;
+    changed.push_back(names[k]);
+    setRow(names[k], found[k]);
+    std::ranges::copy_if(editsOf[k], std::back_inserter(edits),
+                         [&](const Edit& edit) { return edit.row != none; });
+  }
+  std::ranges::sort(edits);
+  std::vector<Index> edited, row;
+  for (std::size_t first = 0; first < edits.size();) {
+    std::size_t end = first;
+    while (end < edits.size() && edits[end].row == edits[first].row) ++end;
+    edited.push_back(edits[first].row);
+    apply(std::span(edits).subspan(first, end - first), row);
+    setRow(edits[first].row, row);
+    first = end;
+  }
+  std::vector<Index> all;
+  std::ranges::merge(edited, changed, std::back_inserter(all));
+  return all;
 }
 
-void NeighbourList::mergeRow(Index i, std::span<const Pair> others, std::vector<Index>& row) const {
-  row.clear();
-  auto other = std::ranges::lower_bound(others, Pair{i, 0});
-  const auto ours = [&] { return other != others.end() && other->first == i; };
-  for (const Index j : of(i)) {
-    if (stale_[j]) continue;
-    for (; ours() && other->second < j; ++other) row.push_back(other->second);
-    row.push_back(j);
+std::vector<NeighbourList::Edit> NeighbourList::difference(Index i, const std::vector<Index>& row) const {
+  std::vector<Edit> edits;
+  const auto note = [&](Index j) { edits.push_back({.row = stale_[j] ? none : j, .neighbour = i}); };
+  auto before = of(i).begin();
+  const auto end = of(i).end();
+  for (const Index j : row) {
+    for (; before != end && *before < j; ++before) note(*before);
+    if (before != end && *before == j)
+      ++before;
+    else
+      note(j);
   }
-  for (; ours(); ++other) row.push_back(other->second);
+  for (; before != end; ++before) note(*before);
+  return edits;
+}
+
+void NeighbourList::apply(std::span<const Edit> edits, std::vector<Index>& row) const {
+  row.clear();
+  auto edit = edits.begin();
+  for (const Index j : of(edits.front().row)) {
+    for (; edit != edits.end() && edit->neighbour < j; ++edit) row.push_back(edit->neighbour);
+    if (edit != edits.end() && edit->neighbour == j)
+      ++edit;  // lost
+    else
+      row.push_back(j);
+  }
+  for (; edit != edits.end(); ++edit) row.push_back(edit->neighbour);
 }
 
 void NeighbourList::setRow(Index i, const std::vector<Index>& row) {

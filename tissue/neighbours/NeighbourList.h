@@ -1,9 +1,9 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "AgentStore.h"
@@ -79,14 +79,20 @@ class NeighbourList {
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
   bool worthLookingUp(const std::vector<Index>& names) const;
-  /// Looks up the agents `names`; returns whose rows changed.
+  /// Looks up the agents `names`; returns whose rows changed, in ascending order.
   std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
   /// Appends the agents in range of agent i, in ascending order.
   void appendInRange(Index i, std::vector<Index>& row) const;
-  /// An agent and one that it has for a neighbour.
-  using Pair = std::pair<Index, Index>;
-  /// The neighbours of agent i that are not being looked up, and those of `others`, which is sorted.
-  void mergeRow(Index i, std::span<const Pair> others, std::vector<Index>& row) const;
+  /// A neighbour that a row gains, or loses if it has it.
+  struct Edit {
+    Index row, neighbour;
+    auto operator<=>(const Edit&) const = default;
+  };
+  /// What `row`, agent i's neighbours now, has and has not of those listed, as edits of their rows; without
+  /// a row for those that are being looked up themselves.
+  std::vector<Edit> difference(Index i, const std::vector<Index>& row) const;
+  /// The row that these edits, all of one and sorted, make of the one listed.
+  void apply(std::span<const Edit> edits, std::vector<Index>& row) const;
   void setRow(Index i, const std::vector<Index>& row);
 
   NeighbourRange range_;
