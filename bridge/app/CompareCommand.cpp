@@ -105,7 +105,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   };
   const SolvedFlow reference = solve(flowBackendNames::foam), other = solve(flowBackendNames::lbm);
 
-  const FlowComparison result = compareFlows(lumen.surface, lines, reference, other);
+  const FlowComparison result = compareFlows(lumen.surface, lines, reference, other, strutMiddles(scene));
   const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx};
   writeComparisonJson(folder / "compare.json", what, result, reference, other);
   writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, lumen.day);

@@ -11,6 +11,7 @@
 #include "Progress.h"
 #include "Run.h"
 #include "SceneWriter.h"
+#include "StrutAgents.h"
 #include "Units.h"
 
 namespace restenosis {
@@ -42,6 +43,19 @@ ComparedLumen loadedLumen(const Scene& scene) {
         fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
                     scene.vessel.lumenSurface));
   return {movedAlongZ(lumen, *frame), 0.0};
+}
+
+std::vector<Vec3> strutMiddles(const Scene& scene) {
+  constexpr double spacing = 20e-6;  // [m]; far below the distances that parts are told by
+  std::vector<Vec3> places;
+  if (!scene.stent) return places;
+  const Stent stent = makeStent(*scene.stent, scene.vessel).movedOutwards(scene.stent->deploymentDepth);
+  for (const StrutSegment& segment : stent.segments) {
+    const int steps = 1 + static_cast<int>(segment.length() / spacing);
+    for (int k = 0; k <= steps; ++k)
+      places.push_back(segment.a + (segment.b - segment.a) * (static_cast<double>(k) / steps));
+  }
+  return places;
 }
 
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {

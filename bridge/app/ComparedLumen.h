@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "Scene.h"
 #include "TriSurface.h"
@@ -23,6 +24,10 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 /// The lumen that a scene loads from a file, laid along z. Throws std::runtime_error where it cannot be: the
 /// lattice Boltzmann method needs it so.
 ComparedLumen loadedLumen(const Scene& scene);
+
+/// Places on the middles of a scene's struts where they stand after deployment, close to each other; none
+/// without a stent.
+std::vector<Vec3> strutMiddles(const Scene& scene);
 
 /// The lumen that a run has recorded nearest to a day, the last one without. Throws std::runtime_error.
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day);

@@ -1,5 +1,7 @@
 #include "ComparedParts.h"
 
+#include <algorithm>
+
 #include "LumenShape.h"
 #include "PointTree.h"
 
@@ -19,20 +21,45 @@ std::string_view partName(ComparedPart part) {
   return "";
 }
 
-ComparedFaces comparedFaces(const TriSurface& lumen, const ComparedPartsSettings& settings) {
-  std::vector<Vec3> struts;
+namespace {
+
+/// The place at the same angle and height, at `radius` from the vessel's axis.
+Vec3 onCylinder(const Vec3& place, double radius) {
+  const double distance = std::max(place.head<2>().norm(), 1e-12);
+  return {place.x() * radius / distance, place.y() * radius / distance, place.z()};
+}
+
+bool within(const PointTree& tree, const Vec3& place, double distance) {
+  const auto nearest = tree.nearest(place, 1);
+  return !nearest.empty() && nearest.front().distance < distance;
+}
+
+}  // namespace
+
+ComparedFaces comparedFaces(const TriSurface& lumen, std::span<const Vec3> struts,
+                            const ComparedPartsSettings& settings) {
+  std::vector<Vec3> seen;
   for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
-    if (lumen.region[t] == SurfaceRegion::strut) struts.push_back(lumen.centre(t));
-  const PointTree tree(std::move(struts));
+    if (lumen.region[t] == SurfaceRegion::strut) seen.push_back(lumen.centre(t));
+  const PointTree strutFaces(std::move(seen));
+  double radius = 0.0;
+  std::vector<Vec3> middles;
+  for (const Vec3& place : struts) {
+    if (within(strutFaces, place, settings.buriedFrom)) continue;
+    radius = std::max(radius, place.head<2>().norm());
+    middles.push_back(place);
+  }
+  for (Vec3& place : middles) place = onCylinder(place, radius);
+  const PointTree buried(std::move(middles));
   const double first = lumenEnd(lumen, SurfaceRegion::inlet).z + settings.endLength,
                last = lumenEnd(lumen, SurfaceRegion::outlet).z - settings.endLength;
   const auto partOf = [&](std::size_t t) {
     const Vec3 centre = lumen.centre(t);
     if (centre.z() < first || centre.z() > last) return ComparedPart::ends;
     if (lumen.region[t] == SurfaceRegion::strut) return ComparedPart::strut;
-    const auto nearest = tree.nearest(centre, 1);
-    return !nearest.empty() && nearest.front().distance < settings.strutReach ? ComparedPart::betweenStruts
-                                                                              : ComparedPart::smoothWall;
+    const bool nearStrut = within(strutFaces, centre, settings.strutReach) ||
+                           within(buried, onCylinder(centre, radius), settings.strutReach);
+    return nearStrut ? ComparedPart::betweenStruts : ComparedPart::smoothWall;
   };
   ComparedFaces faces;
   for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {

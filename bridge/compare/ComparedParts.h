@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace restenosis {
 /// The parts of a lumen in which two flows are compared, each with its own reasons to differ.
 enum class ComparedPart : std::uint8_t {
   smoothWall,     ///< wall away from struts and ends
-  betweenStruts,  ///< wall near a strut: recirculation
+  betweenStruts,  ///< wall near a strut, or on a buried one: recirculation, or grown tissue
   strut,          ///< struts: sharp edges
   ends            ///< wall and struts near inlet and outlet: their conditions differ between methods
 };
@@ -23,8 +24,9 @@ std::string_view partName(ComparedPart part);
 
 /// Where the parts end (assumed).
 struct ComparedPartsSettings {
-  double endLength = 0.1e-3;   ///< faces nearer than this to inlet or outlet belong to the ends [m]
-  double strutReach = 0.3e-3;  ///< wall nearer than this to a strut lies between struts [m]
+  double endLength = 0.1e-3;    ///< faces nearer than this to inlet or outlet belong to the ends [m]
+  double strutReach = 0.3e-3;   ///< wall nearer than this to a strut lies between struts [m]
+  double buriedFrom = 0.15e-3;  ///< a strut's middle farther than this from all struts one sees is buried [m]
 };
 
 /// The triangles of wall and struts of a lumen, each with its part.
@@ -35,6 +37,9 @@ struct ComparedFaces {
   std::size_t size() const { return triangle.size(); }
 };
 
-ComparedFaces comparedFaces(const TriSurface& lumen, const ComparedPartsSettings& settings = {});
+/// `struts`: places on the struts' middles, as far as known [m]. Tissue grows over struts until the surface
+/// shows none of them; how near the wall is to a buried one is seen from the vessel's axis, along the wall.
+ComparedFaces comparedFaces(const TriSurface& lumen, std::span<const Vec3> struts = {},
+                            const ComparedPartsSettings& settings = {});
 
 }  // namespace restenosis

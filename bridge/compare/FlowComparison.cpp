@@ -31,9 +31,9 @@ SolvedFlow solveForComparison(FlowBackend& backend, const TriSurface& lumen, con
 }
 
 FlowComparison compareFlows(const TriSurface& lumen, const ProbeLines& lines, const SolvedFlow& reference,
-                            const SolvedFlow& other) {
+                            const SolvedFlow& other, std::span<const Vec3> struts) {
   FlowComparison c;
-  c.faces = comparedFaces(lumen);
+  c.faces = comparedFaces(lumen, struts);
   c.traction = {carriedTraction(lumen, c.faces, reference.solution),
                 carriedTraction(lumen, c.faces, other.solution)};
   std::array<FieldDifferenceSum, comparedParts.size()> parts;

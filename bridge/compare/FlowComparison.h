@@ -37,7 +37,8 @@ struct FlowComparison {
   std::vector<FieldDifference> planes;  ///< the same, by plane
 };
 
+/// `struts`: places on the struts' middles, as far as known; see comparedFaces.
 FlowComparison compareFlows(const TriSurface& lumen, const ProbeLines& lines, const SolvedFlow& reference,
-                            const SolvedFlow& other);
+                            const SolvedFlow& other, std::span<const Vec3> struts);
 
 }  // namespace restenosis

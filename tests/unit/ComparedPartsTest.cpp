@@ -11,7 +11,7 @@ using namespace testing;
 
 TEST(ComparedParts, followTheDistanceFromStrutsAndEnds) {
   const TriSurface lumen = stentedTube(vesselRadius, 2.0 * vesselLength, 90e-6);
-  const auto faces = comparedFaces(lumen, {.endLength = 0.15e-3, .strutReach = 0.4e-3});
+  const auto faces = comparedFaces(lumen, {}, {.endLength = 0.15e-3, .strutReach = 0.4e-3});
   std::array<int, comparedParts.size()> found{};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const Vec3 centre = lumen.centre(faces.triangle[i]);
@@ -43,6 +43,31 @@ TEST(ComparedParts, withoutStrutsAllIsSmoothWallButTheEnds) {
     area += faces.area[i];
   }
   EXPECT_NEAR(area / (2.0 * std::numbers::pi * vesselRadius * vesselLength), 1.0, 0.002);
+}
+
+TEST(ComparedParts, wallOverABuriedStrutIsNearAStrut) {
+  // A ring of which only a quarter is buried, its middle 80 um outside of the wall.
+  const TriSurface lumen = tube(vesselRadius, vesselLength);
+  std::vector<Vec3> ring;
+  const double outside = vesselRadius + 80e-6, middle = vesselLength / 2;
+  for (double angle = 0; angle < std::numbers::pi / 2; angle += 0.02)
+    ring.emplace_back(outside * std::cos(angle), outside * std::sin(angle), middle);
+  const auto faces = comparedFaces(lumen, ring, {.endLength = 0.1e-3, .strutReach = 0.2e-3});
+  int near = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Vec3 centre = lumen.centre(faces.triangle[i]);
+    const double fromMiddle = std::abs(centre.z() - middle), angle = std::atan2(centre.y(), centre.x());
+    const bool beside = fromMiddle < 0.18e-3 && angle > 0 && angle < std::numbers::pi / 2;
+    const bool isNear = faces.part[i] == ComparedPart::betweenStruts;
+    near += isNear;
+    if (beside) {
+      EXPECT_TRUE(isNear) << centre.transpose();
+    }
+    if (fromMiddle > 0.21e-3 || std::abs(angle) > 3) {
+      EXPECT_FALSE(isNear) << centre.transpose();
+    }
+  }
+  EXPECT_GT(near, 0);
 }
 
 }  // namespace
