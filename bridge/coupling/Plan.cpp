@@ -17,10 +17,10 @@ constexpr double day = 86400.0;
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
-  double bytesPerAgent = 600;  ///< state, bonds, neighbour lists, output buffers
+  double bytesPerAgent = 900;  ///< state, bonds, neighbour lists, output buffers
   double packSecondsPerAgent = 4e-5;
   double deploySecondsPerStep = 3e-6;  ///< per agent
-  double growSecondsPerStep = 3e-6;    ///< per agent
+  double growSecondsPerStep = 1.5e-6;  ///< per agent
 };
 
 /// Why the flow is not solved at all, or empty.
