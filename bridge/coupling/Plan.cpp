@@ -101,6 +101,12 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
         scene.coupling.remesh == "always"
             ? "made anew for every solve"
             : "moved with the wall, and made anew where that is not good enough");
+  if (noFlow.empty() && scene.flow->backend == flowBackendNames::lbm && scene.coupling.remesh != "always")
+    add("mesh", false, "coupling.remesh is about OpenFOAM's mesh: a lattice is made anew for every solve");
+  if (noFlow.empty() && scene.flow->straightEnds > 0)
+    add("straight ends", true,
+        fmt::format("{:g} mm of straight tube before the inlet and behind the outlet, in the flow only",
+                    scene.flow->straightEnds * 1e3));
   add("nitric oxide", noFlow.empty() && tissue,
       noFlow.empty() && tissue ? "after the endothelium, from the last flow's wall shear stress"
                                : "no wall shear stress");

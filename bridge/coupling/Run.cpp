@@ -287,6 +287,7 @@ void Run::writeSummary() {
   summary.status = status_;
   summary.seed = scene_.scene.seed;
   summary.threads = options_.threads;
+  summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();

@@ -71,6 +71,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["version"] = version();
   json["seed"] = summary.seed;
   json["threads"] = summary.threads;
+  json["ranks"] = summary.ranks;
   json["agents"] = summary.last.agents;
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);

@@ -18,6 +18,7 @@ struct Summary {
   std::string status = "finished";  ///< or what ended the run
   std::int64_t seed = 0;
   int threads = 1;
+  int ranks = 1;            ///< MPI processes of OpenFOAM
   std::string flowBackend;  ///< empty when no flow is modelled
   std::string stateDigest;
   TimeSeriesRow last;  ///< the final values
@@ -31,12 +32,11 @@ struct Summary {
   std::vector<std::string> remarks;  ///< warnings and retries of all parts
 };
 
-/// Writes summary.json: scene, title, status, version, seed, threads, agents, stateDigest, final (the columns
-/// of timeSeries.csv; null where unknown), flow (solves done,
-/// skipped, and skipped by reason; meshes moved, and made anew by reason), relaxation (iterations during
-/// growth, forces computed, and how many it would be were no agent ever asleep), poiseuille
-/// (errors, null where the exact stress is not known), parts (seconds
-/// and peak memory), totalSeconds, remarks. Throws WriteFailed.
+/// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, stateDigest, final (the
+/// columns of timeSeries.csv; null where unknown), flow (solves done, skipped, and skipped by reason; meshes
+/// moved, and made anew by reason), relaxation (iterations during growth, forces computed, and how many it
+/// would be were no agent ever asleep), poiseuille (errors, null where the exact stress is not known), parts
+/// (seconds and peak memory), totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -104,6 +104,15 @@ TEST_F(WholeRun, TheSceneAsResolvedRunsTheSame) {
   EXPECT_EQ(body(readText(folder / "again/scene.toml")), body(readText(folder / "out/scene.toml")));
 }
 
+TEST_F(WholeRun, ThePlanSaysWhatASettingDoesNotDo) {
+  const std::string lattice = scene("lattice", with(tinyScene, "\"analytic\"", "\"lbm\""));
+  const ProcessEnd plan =
+      run({"check", lattice, "--set", "coupling.remesh=onDemand", "--set", "flow.straightEnds=0.3 mm"});
+  ASSERT_EXIT_STATUS(plan, 0);
+  EXPECT_NE(plan.out.find("a lattice is made anew for every solve"), std::string::npos) << plan.out;
+  EXPECT_NE(plan.out.find("0.3 mm of straight tube"), std::string::npos) << plan.out;
+}
+
 TEST_F(WholeRun, AnUninjuredWallRestsAndNeedsNoFlow) {
   std::string text = with(tinyScene, "removeIel = true\n", "");
   const auto stent = text.find("[stent]"), injury = text.find("[injury]");

@@ -15,6 +15,7 @@ Summary example() {
   summary.title = "Injury 2";
   summary.seed = 7;
   summary.threads = 2;
+  summary.ranks = 3;
   summary.flowBackend = "foam";
   summary.stateDigest = "0123456789abcdef";
   summary.last.time = 864000;
@@ -36,6 +37,7 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["version"], version());
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["ranks"], 3);
   EXPECT_EQ(json["agents"], 70123);
   EXPECT_EQ(json["final"]["day"], 10.0);
   EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
