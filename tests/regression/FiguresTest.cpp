@@ -15,11 +15,12 @@ bool pythonHasPackages() {
          (std::getenv("DISPLAY") != nullptr || std::system("command -v xvfb-run >/dev/null") == 0);
 }
 
-TEST(Figures, DrawsEveryPicture) {
+TEST(Figures, DrawsEveryPictureAndPutsAllOnOnePage) {
   if (!pythonHasPackages())
     GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
   TemporaryFolder folder;
   SyntheticResults().write(folder.path());
+  writeText(folder / "scene.toml", "[scene]\ntitle = \"a < b\"\n");
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
   for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png"}) {
     const auto picture = readText(folder / name);
@@ -27,6 +28,18 @@ TEST(Figures, DrawsEveryPicture) {
     // A blank picture of these sizes compresses to a few kilobytes.
     EXPECT_GT(picture.size(), 20000u) << name;
   }
+
+  const auto page = readText(folder / "report.html");
+  std::size_t pictures = 0;
+  for (auto at = page.find("data:image/png;base64,"); at != std::string::npos;
+       at = page.find("data:image/png;base64,", at + 1))
+    ++pictures;
+  EXPECT_EQ(pictures, 4u);
+  EXPECT_NE(page.find("title = &quot;a &lt; b&quot;"), std::string::npos) << "the scene, escaped";
+  EXPECT_NE(page.find("neointimaThickness_um"), std::string::npos);
+  EXPECT_NE(page.find("peak memory"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
 TEST(Figures, DrawsWhatThereIsBeforeAnyFlowAndForOneFrame) {

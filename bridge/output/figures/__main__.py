@@ -2,8 +2,8 @@
 
     /usr/bin/python3 bridge/output/figures RESULTS
 
-Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from; in the folder of a
-comparison, compareMaps.png and compareScatter.png. Needs Debian's
+Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from, and report.html, one page with
+all of it; in the folder of a comparison, compareMaps.png and compareScatter.png. Needs Debian's
 python3-matplotlib and python3-vtk9, and xvfb where there is no display. Exit status 0 when every picture that the
 results allow was drawn; otherwise the last line printed says what is missing.
 """
@@ -33,6 +33,7 @@ def draw(folder):
     import compare
     import growth
     import lumen
+    import report
     import results
     import section
 
@@ -52,6 +53,10 @@ def draw(folder):
             print(f"{name}: {reason}")
     if "lumen.png" in drawn and (problem := draw_in_space(folder)):
         problems.append(f"lumen3d.png: {problem}")
+    try:
+        report.write(folder, folder / "report.html")
+    except results.NothingToDraw as reason:
+        print(f"report.html: {reason}")
     if not drawn:
         problems.append(f"{folder} holds no results to draw")
     return problems
