@@ -57,7 +57,7 @@ class AgentForces {
   /// whose partners changed.
   void updateLists(std::span<const Index> moved, std::vector<Index>& relisted);
 
-  /// These agents move from now on, until stopMoving() names others.
+  /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
   /// The forces on these agents, in ascending order.
   void evaluate(std::span<const Index> subset);
@@ -68,11 +68,15 @@ class AgentForces {
   void evaluateExactly(std::span<const Index> moving);
 
  private:
+  /// Knows nothing yet: every force is unsure.
   void start();
+  /// Puts every free agent where its constraints allow.
   void project();
   /// Whether agent i is within what mixed precision can express.
   bool fits(Index i) const;
+  /// Whether agent i is not where and as large as its copy.
   bool changed(Index i) const;
+  /// Makes the copy agent i.
   void take(Index i);
   /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
   bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
