@@ -5,7 +5,7 @@
 #include "AgentStore.h"
 #include "RandomStream.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// Appends free synthetic SMC of radius `radius` with centres at random in [0, side]^3 no nearer to each
 /// other than 0.82 diameters, until their packing fraction is 0.62: as dense as the packed wall, without
@@ -26,4 +26,4 @@ inline void appendRandomPacking(AgentStore& agents, std::array<double, 3> side, 
   }
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

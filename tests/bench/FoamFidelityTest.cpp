@@ -1,14 +1,17 @@
 // Cost and WSS error of the fidelity levels, on a plain tube and with one strut ring. Prints a table.
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "FoamBackend.h"
 #include "OpenFoamPresent.h"
 #include "TemporaryFolder.h"
 #include "TubeSurface.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 namespace {
+
+using namespace support;
 
 double meanStress(const FlowSolution& s, SurfaceRegion region) {
   double sum = 0.0, area = 0.0;
@@ -55,4 +58,4 @@ TEST(FoamFidelity, costAndError) {
 }
 
 }  // namespace
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

@@ -16,7 +16,7 @@
 #include "PointTree.h"
 #include "TemporaryFolder.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 namespace {
 
 using Remeshing = FoamBackend::Remeshing;
@@ -144,4 +144,4 @@ TEST(FoamMorph, costAndDifference) {
 }
 
 }  // namespace
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

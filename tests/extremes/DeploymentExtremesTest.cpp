@@ -9,7 +9,7 @@
 namespace restenosis {
 namespace {
 
-using Setting = testing::SmallDeployment;
+using Setting = support::SmallDeployment;
 
 /// Deploys and expects a wall that is whole, or a failure that names a setting.
 void deploy(const Setting& s) {

@@ -17,7 +17,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 namespace fs = std::filesystem;
 
 FoamSettings draft() { return FoamSettings::forFidelity("draft"); }

@@ -17,7 +17,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 namespace fs = std::filesystem;
 
 #define EXPECT_SAYS(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)

@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 constexpr double tubeRadius = 0.5e-3, tubeLength = 0.4e-3;
 

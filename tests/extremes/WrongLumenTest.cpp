@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 constexpr std::string_view loadedScene = R"([scene]
 duration = "1 h"

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "FoamBackend.h"
 #include "LoadedLumen.h"
@@ -15,7 +16,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// The inlet straight is upstream of the bend, but what a bend does decays as exp(-1.84 z / R) against the
 /// flow as well. Measured by slices of 0.1 mm: L2 of 1.8 % at one diameter before the bend, 7.7 % at half of

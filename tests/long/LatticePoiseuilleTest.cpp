@@ -5,7 +5,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// Prints the table of docs/results/lbm.md: a periodic tube along the lattice.
 TEST(LatticePoiseuilleLong, table) {

@@ -5,7 +5,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 void record(const std::string& name, double value) {
   ::testing::Test::RecordProperty(name, std::to_string(value));

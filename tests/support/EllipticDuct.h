@@ -8,7 +8,7 @@
 #include "FlowSupport.h"
 #include "TubeSurface.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// Blood at a mean velocity of 1 mm/s: Re = 0.4 in a tube of 1 mm, so that entrance effects die out within a
 /// diameter.
@@ -79,4 +79,4 @@ inline EllipticError ellipticDuctError(FlowBackend& backend, const std::filesyst
   return e;
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

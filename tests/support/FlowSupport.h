@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "Constants.h"
 #include "FlowBackend.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// The thesis vessel: radius 0.9 mm, mean velocity 0.133 m/s.
-inline constexpr double vesselRadius = 0.9e-3, vesselLength = 1.2e-3, meanVelocity = 0.133;
+inline constexpr double meanVelocity = 0.133;
 
 inline FlowConditions vesselConditions() {
   return {.drive = FlowConditions::Drive::flowRate,
@@ -56,4 +57,4 @@ inline StressError stressError(const FlowSolution& solution, double expected, do
       solution, [expected](const Vec3&) { return expected; }, expected, zLow, zHigh);
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

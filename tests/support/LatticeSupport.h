@@ -9,12 +9,12 @@
 #include "TubeSurface.h"
 #include "WallStress.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// What a solved lattice flow is off from Poiseuille's, relative: velocity in L2 over the nodes; wall shear
 /// stress in the area-weighted mean and rms over the faces, then the rms from the velocity gradient
 /// everywhere and from the nearest node's stress.
-struct PoiseuilleError {
+struct TubeErrors {
   double velocity, stressMean, stressRms, gradientRms, nearestRms;
 };
 
@@ -30,8 +30,7 @@ inline std::vector<Vec3> placePositions(const LumenLattice& lattice) {
 /// Poiseuille flow in a tube of `diameter` nodes along the lattice, four layers long, periodic and driven by
 /// a force, run from the exact velocity for 5 e-folding times of its slowest mode, and 400 steps.
 template <class Real = double>
-PoiseuilleError periodicTube(double diameter, WallRule rule, LatticeRelaxation relaxation,
-                             double peak = 0.05) {
+TubeErrors periodicTube(double diameter, WallRule rule, LatticeRelaxation relaxation, double peak = 0.05) {
   constexpr int layers = 4, sides = 256;
   constexpr double radius = 0.5;
   const double dx = 1.0 / diameter, nu = (relaxation.tau - 0.5) / 3.0, lattices = 0.5 * diameter;
@@ -54,7 +53,7 @@ PoiseuilleError periodicTube(double diameter, WallRule rule, LatticeRelaxation r
   });
   flow.advance(200 + static_cast<int>(2.5 * lattices * lattices / 5.78 / nu));
 
-  PoiseuilleError e{};
+  TubeErrors e{};
   double norm = 0.0;
   for (const NodeRun& run : lattice.layout.runs())
     for (std::uint32_t place = run.first; place < run.first + run.count; ++place) {
@@ -90,4 +89,4 @@ inline TriSurface turnedTube(double radius, double length, double angle, std::ui
   return s;
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

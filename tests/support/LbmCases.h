@@ -8,7 +8,7 @@
 #include "LatticeSupport.h"
 #include "LbmBackend.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// Stress in the middle tenth of a tube turned by an angle from the lattice, solved with open ends, which are
 /// cut along the lattice, against Poiseuille's.
@@ -33,4 +33,4 @@ inline EllipticError ellipticDuctError(int nodesAcross) {
   return ellipticDuctError(backend, {});
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

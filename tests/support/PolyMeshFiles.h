@@ -4,7 +4,7 @@
 #include "PolyMesh.h"
 #include "TemporaryFolder.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// The header of a binary OpenFOAM file.
 inline std::string foamHeader(const std::string& type) {
@@ -37,4 +37,4 @@ inline void writePolyMesh(const PolyMesh& mesh, const std::filesystem::path& cas
   writeText(folder / "points", foamHeader("vectorField") + foamBinaryList(coordinates, 3) + "\n");
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

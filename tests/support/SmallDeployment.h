@@ -4,7 +4,7 @@
 #include "StentParameters.h"
 #include "VesselParameters.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// One ring in a narrow, short vessel, at a looser tolerance: quick, and all of what a deployment does.
 struct SmallDeployment {
@@ -20,4 +20,4 @@ struct SmallDeployment {
   MechanicsParameters mechanics;
 };
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

@@ -8,7 +8,7 @@
 #include "Rotation.h"
 #include "TriSurface.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// A place on the axis of a tube and the direction of the axis there.
 struct AxisPoint {
@@ -80,4 +80,4 @@ inline Eigen::Isometry3d motionTo(const Vec3& direction, const Vec3& place) {
   return motion;
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

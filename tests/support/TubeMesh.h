@@ -5,7 +5,7 @@
 
 #include "PolyMesh.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// A mesh in mm of a straight tube along z [m]: wedges around the axis, in rings and layers. Its wall is that
 /// of `tube` with as many sides as it has wedges.
@@ -71,4 +71,4 @@ inline PolyMesh tubeMesh(double radius, double length, int sides, int rings, int
   return mesh;
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

@@ -6,7 +6,7 @@
 
 #include "TriSurface.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// A point of a profile r(z) and what the piece from it to the next point belongs to.
 struct ProfilePoint {
@@ -64,4 +64,4 @@ inline TriSurface stentedTube(double radius, double length, double strut) {
   return revolve(profile);
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

@@ -4,13 +4,19 @@
 
 #include "FlowSupport.h"
 
-namespace restenosis::testing {
+namespace restenosis::support {
 
 /// How near Poiseuille's solution a backend's must come in the vessel of FlowSupport.
 struct PoiseuilleLimits {
   double stressMean, stressL2, pressureDrop, massImbalance;
   double endMargin = 0.0;  ///< left out at either end [m]
 };
+
+/// What `draft` keeps to in a plain tube of 1.2 mm, whatever its direction: measured are 0.5 and 1.0 %, at
+/// most 2.1 %.
+inline constexpr double meanLimit = 0.01, l2Limit = 0.015;
+/// The inlet's profile vanishes at the circle, not on the meshed polygon: the faces next to it are left out.
+inline constexpr double endMargin = 0.1e-3;
 
 inline void expectPoiseuille(const FlowSolution& s, const PoiseuilleLimits& limits) {
   const auto error = stressError(s, vesselStress(), limits.endMargin, vesselLength - limits.endMargin);
@@ -47,4 +53,4 @@ inline StrutTop expectStrutDisturbs(const FlowSolution& s, double topRadius) {
   return top;
 }
 
-}  // namespace restenosis::testing
+}  // namespace restenosis::support

@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "AnalyticBackend.h"
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(AnalyticBackend, poiseuilleInATube) {
   FlowConditions conditions = vesselConditions();

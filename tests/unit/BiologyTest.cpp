@@ -3,14 +3,14 @@
 #include <limits>
 
 #include "Biology.h"
+#include "Constants.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
-constexpr double never = std::numeric_limits<double>::infinity();
+using namespace support;
 
-AgentStore oneCell() {
+AgentStore oneCellUnderFlow() {
   AgentStore agents;
   agents.append(AgentKind::smc, Vec3(0, 0, 1e-3), r);
   agents.set(0, synthetic, true);
@@ -27,7 +27,7 @@ BiologySettings everything() {
 
 TEST(Biology, ArrestsALoneCellOnceEndotheliumReturnsUnderFlow) {
   Biology biology(everything());
-  AgentStore agents = oneCell();
+  AgentStore agents = oneCellUnderFlow();
   BondTable bonds;
   bonds.resize(1);
   agents.wss[0] = 1.6;
@@ -48,7 +48,7 @@ TEST(Biology, DividesInAStepLongerThanTheCycle) {
   BiologySettings settings = everything();
   settings.step = 100 * 3600.0;
   Biology biology(settings);
-  AgentStore agents = oneCell();
+  AgentStore agents = oneCellUnderFlow();
   BondTable bonds;
   bonds.resize(1);
   biology.updateInhibition(agents);
@@ -59,7 +59,7 @@ TEST(Biology, DividesInAStepLongerThanTheCycle) {
 
 TEST(Biology, DoesNotModelAbsentSections) {
   Biology biology(BiologySettings{});
-  AgentStore agents = oneCell();
+  AgentStore agents = oneCellUnderFlow();
   BondTable bonds;
   bonds.resize(1);
   agents.wss[0] = 1.6;

@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "CarriedTraction.h"
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// A flow whose faces are the triangles of a surface, with the traction of a function of the place.
 template <class Traction>

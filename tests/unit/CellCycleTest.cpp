@@ -4,13 +4,13 @@
 #include <limits>
 
 #include "CellCycle.h"
+#include "Constants.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
-constexpr double hour = 3600;
-constexpr double never = std::numeric_limits<double>::infinity();
+using namespace support;
+
 const double fullRadius = r * std::cbrt(2.0);
 
 AgentStore oneCell() {

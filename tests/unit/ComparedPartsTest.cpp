@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "ComparedParts.h"
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(ComparedParts, followTheDistanceFromStrutsAndEnds) {
   const TriSurface lumen = stentedTube(vesselRadius, 2.0 * vesselLength, 90e-6);

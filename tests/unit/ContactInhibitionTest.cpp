@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "Constants.h"
 #include "ContactInhibition.h"
 #include "RandomPacking.h"
 #include "StateArchive.h"
@@ -11,13 +12,14 @@
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
+
 constexpr double side = 18 * r;
 
 const AgentStore& packing() {
   static const AgentStore agents = [] {
     AgentStore packed;
-    testing::appendRandomPacking(packed, {side, side, side}, r);
+    support::appendRandomPacking(packed, {side, side, side}, r);
     return packed;
   }();
   return agents;

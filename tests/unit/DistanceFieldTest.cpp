@@ -3,13 +3,14 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "DistanceField.h"
 #include "SphereWall.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double um = 1e-6;
+using namespace support;
 
 TEST(DistanceField, IsTheDistanceToTheNearestSphere) {
   const LumenGrid g(200 * um, 100 * um, 10 * um);

@@ -6,12 +6,13 @@
 #include <set>
 #include <vector>
 
+#include "Constants.h"
 #include "Division.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
 
 AgentStore grownCells(Index n) {
   AgentStore agents;

@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 class FoamStartTest : public ::testing::Test {
  protected:

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "Constants.h"
 #include "ContactLaws.h"
 #include "ForceField.h"
 #include "HertzContact.h"
@@ -12,7 +13,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r0 = 15e-6;
+using namespace support;
 
 /// A crowded heap with unequal radii, bonds between near agents and daughters, so that every force acts.
 struct Heap {
@@ -21,23 +22,23 @@ struct Heap {
 
   explicit Heap(int count = 200) {
     RandomStream random(9, 0, 0, RandomPurpose::packing);
-    const double side = 1.8 * r0 * std::cbrt(count);
+    const double side = 1.8 * r * std::cbrt(count);
     for (int k = 0; k < count; ++k) {
       const Vec3 place = side * Vec3(random.uniform(), random.uniform(), random.uniform());
-      const Index i = agents.append(AgentKind::smc, place, r0 * (0.7 + 0.6 * random.uniform()));
+      const Index i = agents.append(AgentKind::smc, place, r * (0.7 + 0.6 * random.uniform()));
       agents.set(i, AgentFlag::daughter, k % 3 == 0);
     }
     bonds.resize(agents.size());
     for (Index i = 0; i < agents.size(); ++i) {
       for (Index j = 0; j < i; ++j) {
         const double distance = (agents.position(i) - agents.position(j)).norm();
-        if (distance < 2.2 * r0) bonds.connect(i, j, distance * (0.8 + 0.3 * random.uniform()));
+        if (distance < 2.2 * r) bonds.connect(i, j, distance * (0.8 + 0.3 * random.uniform()));
       }
     }
   }
 };
 
-MechanicsParameters with(std::string_view law) {
+MechanicsParameters ofLaw(std::string_view law) {
   MechanicsParameters p;
   p.contactLaw = law;
   p.cohesionModulus = 0.5e6;
@@ -46,10 +47,10 @@ MechanicsParameters with(std::string_view law) {
 
 TEST(ForceField, IsTheSlopeOfItsEnergyForEveryLaw) {
   for (const auto law : contactLawNames()) {
-    const ForceField field(with(law));
+    const ForceField field(ofLaw(law));
     Heap heap;
     const auto loads = field.evaluate(heap.agents, heap.bonds);
-    const double scale = 0.2e6 * r0 * r0, h = 1e-5 * r0;
+    const double scale = 0.2e6 * r * r, h = 1e-5 * r;
     for (const Index i : {3u, 50u, 111u}) {
       ASSERT_GT(loads[i].force().norm(), 0.01 * scale);
       for (auto* coordinate : {&heap.agents.x, &heap.agents.y, &heap.agents.z}) {
@@ -70,7 +71,7 @@ TEST(ForceField, IsTheSlopeOfItsEnergyForEveryLaw) {
 
 TEST(ForceField, BalancesMomentumAndMomentOfMomentum) {
   for (const auto law : contactLawNames()) {
-    MechanicsParameters p = with(law);
+    MechanicsParameters p = ofLaw(law);
     p.bondAxialFactor = 2;
     Heap heap;
     heap.agents.setPosition(1, heap.agents.position(0));  // coinciding centres too
@@ -83,18 +84,18 @@ TEST(ForceField, BalancesMomentumAndMomentOfMomentum) {
       sum += loads[i].force().norm();
     }
     EXPECT_LT(force.norm(), 1e-13 * sum);
-    EXPECT_LT(moment.norm(), 1e-13 * sum * 20 * r0);
+    EXPECT_LT(moment.norm(), 1e-13 * sum * 20 * r);
   }
 }
 
 TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
-  const ForceField field(with("hertzNeoHookean"));
+  const ForceField field(ofLaw("hertzNeoHookean"));
   Heap heap(500);
   std::vector<Index> all(heap.agents.size());
   std::iota(all.begin(), all.end(), Index{0});
-  const FixedScale scale(r0);
+  const FixedScale scale(r);
   std::vector<AgentLoad> expected[2];
-  for (const double skin : {0.0, 0.1 * r0, r0, 5 * r0}) {
+  for (const double skin : {0.0, 0.1 * r, r, 5 * r}) {
     NeighbourList list;
     list.build(heap.agents, field.range(skin));
     PairTable pairs;
@@ -122,10 +123,10 @@ TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
 std::vector<AgentLoad> mixedLoads(const ForceField& field, const AgentStore& agents, const BondTable& bonds,
                                   std::span<const Index> subset) {
   NeighbourList list;
-  list.build(agents, field.range(0.4 * r0));
+  list.build(agents, field.range(0.4 * r));
   PairTable pairs;
   pairs.build(list, bonds, agents.flags, true);
-  const FixedScale scale(r0);
+  const FixedScale scale(r);
   const auto fixed = packSpheres(agents, pairs.nobody(), scale);
   std::vector<AgentLoad> loads(subset.size());
   field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, subset, loads);
@@ -134,7 +135,7 @@ std::vector<AgentLoad> mixedLoads(const ForceField& field, const AgentStore& age
 
 TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {
   for (const auto law : contactLawNames()) {
-    MechanicsParameters p = with(law);
+    MechanicsParameters p = ofLaw(law);
     p.bondAxialFactor = 1.5;
     const ForceField field(p);
     Heap heap(500);
@@ -158,7 +159,7 @@ TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {
 }
 
 TEST(ForceField, OfAnAgentDependsNeitherOnWhereItStandsNorOnWhoElseIsComputed) {
-  const ForceField field(with("hertzNeoHookean"));
+  const ForceField field(ofLaw("hertzNeoHookean"));
   Heap heap(300);
   heap.agents.setPosition(7, heap.agents.position(8));
   std::vector<Index> all(heap.agents.size()), some;
@@ -171,11 +172,11 @@ TEST(ForceField, OfAnAgentDependsNeitherOnWhereItStandsNorOnWhoElseIsComputed) {
   for (std::size_t k = 0; k < some.size(); ++k) EXPECT_EQ(ofSome[k].force(), ofAll[some[k]].force());
 
   // 75 m away, many periods of the scale; a whole number of its units, so that positions are rounded alike.
-  const double away = std::ldexp(FixedScale(r0).unit(), 44);
+  const double away = std::ldexp(FixedScale(r).unit(), 44);
   for (const Index i : all) {
     for (auto* x : {&heap.agents.x, &heap.agents.y, &heap.agents.z})
       (*x)[i] =
-          std::ldexp(FixedScale(r0).unit(), 6) * std::round(std::ldexp((*x)[i] / FixedScale(r0).unit(), -6));
+          std::ldexp(FixedScale(r).unit(), 6) * std::round(std::ldexp((*x)[i] / FixedScale(r).unit(), -6));
   }
   const auto near = mixedLoads(field, heap.agents, heap.bonds, all);
   for (const Index i : all) heap.agents.x[i] -= away;
@@ -184,15 +185,15 @@ TEST(ForceField, OfAnAgentDependsNeitherOnWhereItStandsNorOnWhoElseIsComputed) {
 }
 
 TEST(ForceField, PressesTheMiddleOfAChainByItsForceOverItsArea) {
-  MechanicsParameters p = with("hertz");
+  MechanicsParameters p = ofLaw("hertz");
   AgentStore agents;
-  const double spacing = 1.8 * r0;
-  for (int k = 0; k < 3; ++k) agents.append(AgentKind::smc, {k * spacing, 0, 0}, r0);
+  const double spacing = 1.8 * r;
+  for (int k = 0; k < 3; ++k) agents.append(AgentKind::smc, {k * spacing, 0, 0}, r);
   BondTable bonds;
   bonds.resize(3);
   const auto loads = ForceField(p).evaluate(agents, bonds);
-  const double force = forceOf(HertzContact(p.contactModulus), 0.2 * r0, r0 / 2);
-  const double volume = 4.0 / 3.0 * std::numbers::pi * r0 * r0 * r0;
+  const double force = forceOf(HertzContact(p.contactModulus), 0.2 * r, r / 2);
+  const double volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   EXPECT_NEAR(loads[1].pressure / (spacing * force / (3 * volume)), 1, 1e-12);
   EXPECT_NEAR(loads[0].pressure / loads[1].pressure, 0.5, 1e-12);
   EXPECT_NEAR(loads[0].fx / -force, 1, 1e-12);
@@ -200,18 +201,18 @@ TEST(ForceField, PressesTheMiddleOfAChainByItsForceOverItsArea) {
 
 TEST(ForceField, PullsNegativePressureOnABond) {
   AgentStore agents;
-  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.5 * r0}, r0);
+  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.5 * r}, r);
   BondTable bonds;
   bonds.resize(2);
-  bonds.connect(0, 1, 2 * r0);
+  bonds.connect(0, 1, 2 * r);
   const auto loads = ForceField(MechanicsParameters{}).evaluate(agents, bonds);
   EXPECT_LT(loads[0].pressure, 0);
-  EXPECT_NEAR(loads[0].fz / (2.18e6 * 0.25 * 4 * r0 * r0), 1, 1e-6);  // rest lengths are floats
+  EXPECT_NEAR(loads[0].fz / (2.18e6 * 0.25 * 4 * r * r), 1, 1e-6);  // rest lengths are floats
 }
 
 TEST(ForceField, CohesionIsForDaughtersOnly) {
   AgentStore agents;
-  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.1 * r0}, r0);
+  for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * 2.1 * r}, r);
   BondTable bonds;
   bonds.resize(2);
   const ForceField field{MechanicsParameters{}};
@@ -224,11 +225,11 @@ TEST(ForceField, CohesionIsForDaughtersOnly) {
 TEST(ForceField, PushesCoincidingCentresApart) {
   for (const auto law : contactLawNames()) {
     AgentStore agents;
-    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r0);
-    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r0 / 100);
+    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r);
+    agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r / 100);
     BondTable bonds;
     bonds.resize(2);
-    const auto loads = ForceField(with(law)).evaluate(agents, bonds);
+    const auto loads = ForceField(ofLaw(law)).evaluate(agents, bonds);
     EXPECT_GT(loads[0].force().norm(), 0);
     EXPECT_TRUE(loads[0].force().allFinite());
     EXPECT_EQ(loads[0].force(), -loads[1].force());

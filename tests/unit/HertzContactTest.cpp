@@ -2,12 +2,13 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "HertzContact.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double modulus = 0.2e6, R = 7.5e-6;
+using namespace support;
 
 TEST(HertzContact, IsTheClosedForm) {
   const HertzContact law(modulus);

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "HertzContact.h"
 #include "HertzNeoHookeanContact.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double modulus = 0.2e6, R = 7.5e-6;
+using namespace support;
 
 TEST(HertzNeoHookeanContact, IsThePublishedFormula) {
   const HertzNeoHookeanContact law(modulus);

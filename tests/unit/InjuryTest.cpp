@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "Cylindrical.h"
 #include "Injury.h"
 #include "StateArchive.h"
@@ -8,7 +9,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
 
 /// A small cylinder of IEL with a layer of cells under it, bonded, its ends fixed, then stretched around in
 /// the middle by `around` and along by `along`.

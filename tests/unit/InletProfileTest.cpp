@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "InletProfile.h"
 #include "SweptTube.h"
 #include "TubeSurface.h"
@@ -7,13 +8,11 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
-
-constexpr double radius = 0.9e-3;
+using namespace support;
 
 TEST(InletProfile, ACircleGivesTheParaboloid) {
-  const auto profile = developedProfile(tube(radius, 1e-3));
-  EXPECT_NEAR(profile.radius, radius, 1e-9);
+  const auto profile = developedProfile(tube(vesselRadius, 1e-3));
+  EXPECT_NEAR(profile.radius, vesselRadius, 1e-9);
   EXPECT_NEAR(profile.constant, 1.0, 1e-3);
   EXPECT_LT(profile.rimError, 1e-3);  // the rim is a polygon
   for (const double r : {0.0, 0.3, 0.7}) EXPECT_NEAR(profile(r, 0.0), 1 - r * r, 1e-3);
@@ -22,7 +21,7 @@ TEST(InletProfile, ACircleGivesTheParaboloid) {
 }
 
 TEST(InletProfile, AnEllipseIsMetExactly) {
-  TriSurface ellipse = tube(radius, 1e-3);
+  TriSurface ellipse = tube(vesselRadius, 1e-3);
   constexpr double a = 1.3, b = 0.6;  // semi-axes over the radius
   for (Vec3& v : ellipse.vertices) v.x() *= a, v.y() *= b;
   const auto profile = developedProfile(ellipse);
@@ -35,7 +34,7 @@ TEST(InletProfile, AnEllipseIsMetExactly) {
 }
 
 TEST(InletProfile, AShapeFarFromRoundIsKnownByItsRim) {
-  TriSurface star = tube(radius, 1e-3);
+  TriSurface star = tube(vesselRadius, 1e-3);
   for (Vec3& v : star.vertices) {
     const double factor = 1 + 0.5 * std::cos(5 * std::atan2(v.y(), v.x()));
     v.head<2>() *= factor;
@@ -45,7 +44,7 @@ TEST(InletProfile, AShapeFarFromRoundIsKnownByItsRim) {
 
 TEST(InletProfile, FollowsTheInletInAnyDirection) {
   const auto motion = motionTo(Vec3(1, 2, 3), Vec3(1e-3, 0, 0));
-  const auto profile = developedProfile(moved(tube(radius, 1e-3), motion));
+  const auto profile = developedProfile(moved(tube(vesselRadius, 1e-3), motion));
   EXPECT_TRUE(profile.direction.isApprox(Vec3(1, 2, 3).normalized()));
   EXPECT_NEAR((profile.centre - Vec3(1e-3, 0, 0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR(profile.xAxis.cross(profile.yAxis).dot(profile.direction), 1.0, 1e-12);

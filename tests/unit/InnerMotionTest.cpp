@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "InnerMotion.h"
 #include "TubeMesh.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 class InnerMotionTest : public ::testing::Test {
  protected:

@@ -1,23 +1,25 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "LaminaStretch.h"
 #include "RandomStream.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
-constexpr int side = 7;
+using namespace support;
+
+constexpr int cellsAcross = 7;
 
 /// A flat, irregular sheet of IEL agents in the plane x = 1 mm, bonded at rest, with what `deform` makes of
 /// each position.
 template <class Deform>
 Wall sheet(Deform deform) {
   Wall wall;
-  for (int k = 0; k < side * side; ++k) {
+  for (int k = 0; k < cellsAcross * cellsAcross; ++k) {
     RandomStream stream(1, k, 0, RandomPurpose::packing);
-    const double y = 2 * r * (k % side) + 0.4 * r * stream.uniform();
-    const double z = 2 * r * (k / side + 0.5 * (k % 2)) + 0.4 * r * stream.uniform();
+    const double y = 2 * r * (k % cellsAcross) + 0.4 * r * stream.uniform();
+    const double z = 2 * r * (k / cellsAcross + 0.5 * (k % 2)) + 0.4 * r * stream.uniform();
     wall.agents.append(AgentKind::iel, {1e-3, y, z}, r);
   }
   wall.bonds.resize(wall.agents.size());
@@ -40,7 +42,7 @@ void expectEverywhere(const Wall& wall, double strain) {
     EXPECT_NEAR(stretch[i], strain, 1e-5);
     ++told;
   }
-  EXPECT_GT(told, side * side / 2);
+  EXPECT_GT(told, cellsAcross * cellsAcross / 2);
 }
 
 TEST(LaminaStretch, IsExactForEvenDeformation) {
@@ -65,7 +67,7 @@ TEST(LaminaStretch, DoesNotChangeUnderRotation) {
 }
 
 TEST(LaminaStretch, HearsLessOfOneSlippedAgentThanItsBondsDo) {
-  const Index slipped = side * side / 2;
+  const Index slipped = cellsAcross * cellsAcross / 2;
   Wall wall = sheet([](const Vec3& p) { return p; });
   wall.agents.y[slipped] += 0.3 * r;
   double largestBondStrain = 0;

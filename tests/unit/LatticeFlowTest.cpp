@@ -8,7 +8,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// A tube twelve nodes wide and five layers long, periodic and at rest but for what a test sets.
 template <class Real>

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "LatticeUnits.h"
 #include "TubeSurface.h"
@@ -7,7 +8,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(FlowEstimate, isPoiseuillesInATube) {
   const FlowEstimate e(tube(vesselRadius, vesselLength), vesselConditions());

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "Constants.h"
 #include "LoadedLumen.h"
 #include "LumenShape.h"
 #include "StlFile.h"
@@ -12,9 +13,8 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
-constexpr double radius = 0.9e-3;
 const Vec3 far(3e-3, -2e-3, 7e-3);
 
 class LoadedLumen : public ::testing::Test {
@@ -40,7 +40,7 @@ class LoadedLumen : public ::testing::Test {
     EXPECT_NO_THROW(requireLumenWithPlanarEnds(lumen));
     EXPECT_NEAR((endPlane(lumen, SurfaceRegion::inlet).centre - inlet).norm(), 0.0, 1e-8);
     EXPECT_NEAR((endPlane(lumen, SurfaceRegion::outlet).centre - outlet).norm(), 0.0, 1e-8);
-    EXPECT_NEAR(endDiameter(lumen, SurfaceRegion::inlet), 2 * radius, 1e-8);
+    EXPECT_NEAR(endDiameter(lumen, SurfaceRegion::inlet), 2 * vesselRadius, 1e-8);
   }
 
   TemporaryFolder folder;
@@ -57,35 +57,36 @@ TEST_F(LoadedLumen, EndsAreFoundInAnyDirection) {
     Eigen::Index axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);
     const bool forwards = direction[axis] > 0;
-    expectEnds(load(moved(tube(radius, 2e-3), motion)), forwards ? origin : end, forwards ? end : origin);
+    expectEnds(load(moved(tube(vesselRadius, 2e-3), motion)), forwards ? origin : end,
+               forwards ? end : origin);
   }
 }
 
 TEST_F(LoadedLumen, BentAndStentedTubesHaveTwoEnds) {
-  expectEnds(load(bentTube(radius, 1e-3, 2e-3, 2e-3)), Vec3(0, 0, 0), Vec3(4e-3, 0, 3e-3));
-  expectEnds(load(stentedTube(radius, 2e-3, 0.1e-3)), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
+  expectEnds(load(bentTube(vesselRadius, 1e-3, 2e-3, 2e-3)), Vec3(0, 0, 0), Vec3(4e-3, 0, 3e-3));
+  expectEnds(load(stentedTube(vesselRadius, 2e-3, 0.1e-3)), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
 }
 
 TEST_F(LoadedLumen, OpenEndsAreCapped) {
   const SurfaceRegion wall[] = {SurfaceRegion::wall};
-  const TriSurface lumen = load(bentTube(radius, 1e-3, 2e-3, 1e-3), wall);
+  const TriSurface lumen = load(bentTube(vesselRadius, 1e-3, 2e-3, 1e-3), wall);
   expectEnds(lumen, Vec3(0, 0, 0), Vec3(3e-3, 0, 3e-3));
   const SurfaceRegion oneOpen[] = {SurfaceRegion::wall, SurfaceRegion::inlet};
-  expectEnds(load(tube(radius, 2e-3), oneOpen), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
+  expectEnds(load(tube(vesselRadius, 2e-3), oneOpen), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
 }
 
 TEST_F(LoadedLumen, NormalsAreTurnedOutwards) {
-  TriSurface inside = tube(radius, 2e-3);
+  TriSurface inside = tube(vesselRadius, 2e-3);
   for (auto& t : inside.triangles) std::swap(t[0], t[1]);
   expectEnds(load(inside), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
-  TriSurface mixed = tube(radius, 2e-3);
+  TriSurface mixed = tube(vesselRadius, 2e-3);
   for (std::size_t t = 0; t < mixed.triangles.size(); t += 3)
     std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
   expectEnds(load(mixed), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
 }
 
 TEST_F(LoadedLumen, NamesOfSolidsDecide) {
-  TriSurface named = stentedTube(radius, 2e-3, 0.1e-3);
+  TriSurface named = stentedTube(vesselRadius, 2e-3, 0.1e-3);
   for (auto& r : named.region) {  // against the rule for files without names
     if (r == SurfaceRegion::inlet) {
       r = SurfaceRegion::outlet;
@@ -101,7 +102,7 @@ TEST_F(LoadedLumen, NamesOfSolidsDecide) {
 }
 
 TEST_F(LoadedLumen, WhatIsWrongIsSaid) {
-  const TriSurface good = tube(radius, 2e-3);
+  const TriSurface good = tube(vesselRadius, 2e-3);
   TriSurface hole = good;
   hole.triangles.erase(hole.triangles.begin() + 600), hole.region.pop_back();
   EXPECT_SAYS(refusal(hole), "but 3 were found (1 of them open)");
@@ -136,7 +137,7 @@ TEST_F(LoadedLumen, FilesThatAreNoSurfacesAreNamed) {
   EXPECT_SAYS(refusalOfFile(), "is not a file");
   writeText(file, "solid nothing\nendsolid nothing\n");
   EXPECT_SAYS(refusalOfFile(), "holds no triangles");
-  TriSurface broken = tube(radius, 2e-3);
+  TriSurface broken = tube(vesselRadius, 2e-3);
   broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_SAYS(refusal(broken), "not a finite number");
   writeNamedStl(file, broken, 1e-3);

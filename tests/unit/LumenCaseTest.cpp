@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "FoamLog.h"
 #include "FoamTemplate.h"
@@ -16,7 +17,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 DictionaryText templateParameters() {
   return DictionaryText(foamLog::read(foamTemplate() / "system/lumenParameters"));

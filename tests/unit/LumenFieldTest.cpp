@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "LumenField.h"
 #include "RadialMap.h"
 #include "SphereWall.h"
@@ -7,7 +8,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double um = 1e-6;
+using namespace support;
 
 TEST(LumenField, NeedsTissueAndSoundSettings) {
   EXPECT_THROW(LumenField::fromTissue({}, {}, 1e-3), std::invalid_argument);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "LumenFile.h"
 #include "LumenShape.h"
@@ -11,7 +12,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(LumenFile, aWrittenLumenIsReadBackClosed) {
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "AnalyticBackend.h"
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
@@ -10,7 +11,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(LumenFrame, StraightTubesAreLaidAlongZ) {
   const auto motion = motionTo(Vec3(1, 2, 3), Vec3(1e-3, 0, -4e-3));

@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(LumenLattice, holdsAboutTheVolumeInNodes) {
   const double radius = 10.3, length = 12.0;

@@ -4,16 +4,17 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "Constants.h"
 #include "LumenShape.h"
 #include "TubeSurface.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using namespace support;
 
 TEST(LumenShape, tubeHasItsVolumeAndEnds) {
-  const TriSurface lumen = testing::tube(0.9e-3, 1.2e-3);
+  const TriSurface lumen = support::tube(0.9e-3, 1.2e-3);
   EXPECT_NO_THROW(requireLumen(lumen));
   EXPECT_NEAR(enclosedVolume(lumen) / (pi * 0.81e-6 * 1.2e-3), 1.0, 1e-12);
   const LumenEnd outlet = lumenEnd(lumen, SurfaceRegion::outlet);
@@ -23,7 +24,7 @@ TEST(LumenShape, tubeHasItsVolumeAndEnds) {
 }
 
 TEST(LumenShape, crossSectionsOfACone) {
-  const TriSurface cone = testing::revolve({{1e-3, 0.0}, {0.5e-3, 1e-3}});
+  const TriSurface cone = support::revolve({{1e-3, 0.0}, {0.5e-3, 1e-3}});
   const std::vector<double> z = {0.0, 0.25e-3, 0.5e-3, 0.9e-3};
   const auto areas = crossSectionAreas(cone, z);
   for (std::size_t i = 1; i < z.size(); ++i) {
@@ -43,7 +44,7 @@ TEST(LumenShape, damageIsNamed) {
     }
     return "";
   };
-  const TriSurface good = testing::tube(1e-3, 1e-3);
+  const TriSurface good = support::tube(1e-3, 1e-3);
   EXPECT_NE(
       messageOf(good, [](TriSurface& s) { s.triangles.erase(s.triangles.begin() + 9), s.region.pop_back(); })
           .find("not closed: 3 edges"),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "LumenSurface.h"
 #include "SphereWall.h"
 #include "SurfaceCheck.h"
@@ -9,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double um = 1e-6;
+using namespace support;
 
 TEST(LumenSurface, IsClosedWithPlanarEnds) {
   const double length = 307 * um;

@@ -24,7 +24,7 @@ struct Spring {
   }
 };
 
-MechanicsParameters with(std::string_view minimiser) {
+MechanicsParameters minimisedBy(std::string_view minimiser) {
   MechanicsParameters p;
   p.minimiser = minimiser;
   return p;
@@ -33,7 +33,7 @@ MechanicsParameters with(std::string_view minimiser) {
 TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
   for (const auto name : minimiserNames()) {
     Spring spring;
-    const double longest = spring.relax(*makeMinimiser(with(name)), 300);
+    const double longest = spring.relax(*makeMinimiser(minimisedBy(name)), 300);
     EXPECT_LT(spring.position.norm(), 1e-6) << name;
     EXPECT_LE(longest, 0.05 * (1 + 1e-12)) << name;
     EXPECT_GT(longest, 0.01) << name;
@@ -44,7 +44,7 @@ TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;
     spring.force[0] = {0.01, 0, 0.01};
-    const auto minimiser = makeMinimiser(with(name));
+    const auto minimiser = makeMinimiser(minimisedBy(name));
     minimiser->step(
         {spring.active, spring.force, spring.stiffness, spring.radius, spring.velocity, spring.step});
     EXPECT_NEAR(spring.step[0].z() / spring.step[0].x(), 2, 1e-12) << name;
@@ -54,14 +54,14 @@ TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
 TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
   Spring spring;
   spring.velocity[0] = {0.1, 0, 0};
-  makeMinimiser(with("fire"))
+  makeMinimiser(minimisedBy("fire"))
       ->step({spring.active, spring.force, spring.stiffness, spring.radius, spring.velocity, spring.step});
   EXPECT_EQ(spring.step[0], Vec3::Zero());
 }
 
 TEST(Minimiser, SaysWhichNamesThereAre) {
   try {
-    makeMinimiser(with("newton"));
+    makeMinimiser(minimisedBy("newton"));
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_STREQ(e.what(), "unknown minimiser 'newton'; known: fire, overdamped");

@@ -6,7 +6,7 @@
 namespace restenosis {
 namespace {
 
-AgentStore mixed(int count, double ratio) {
+AgentStore ofMixedSizes(int count, double ratio) {
   AgentStore agents;
   RandomStream random(5, 0, 0, RandomPurpose::packing);
   for (int k = 0; k < count; ++k) {
@@ -17,7 +17,7 @@ AgentStore mixed(int count, double ratio) {
 }
 
 TEST(NeighbourQuery, FindsWhoIsWithinAFactorOfTheRadiiInAscendingOrder) {
-  const AgentStore agents = mixed(300, 10);
+  const AgentStore agents = ofMixedSizes(300, 10);
   const CellGrid grid(agents, 5e-6);
   NeighbourQuery query(agents, grid);
   for (const double factor : {1.0, 2.0}) {

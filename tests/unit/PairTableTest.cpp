@@ -4,13 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include "Constants.h"
 #include "PairTable.h"
 #include "RandomStream.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r0 = 15e-6;
+using namespace support;
+
 constexpr bool daughtersMarked = true;
 
 /// Partners of an agent with the rest lengths of its bonds, without the padding.
@@ -30,20 +32,20 @@ struct Tissue {
 
   explicit Tissue(int count) {
     RandomStream random(3, 0, 0, RandomPurpose::packing);
-    const double side = 1.8 * r0 * std::cbrt(count);
+    const double side = 1.8 * r * std::cbrt(count);
     for (int k = 0; k < count; ++k) {
       const Vec3 place(random.uniform(), random.uniform(), random.uniform());
-      agents.append(AgentKind::smc, side * place, r0);
+      agents.append(AgentKind::smc, side * place, r);
     }
     bonds.resize(agents.size());
-    for (Index i = 0; i + 3 < agents.size(); i += 2) bonds.connect(i, i + 3, r0);
+    for (Index i = 0; i + 3 < agents.size(); i += 2) bonds.connect(i, i + 3, r);
   }
 };
 
 TEST(PairTable, HoldsNeighboursAndBondPartnersOnceEachInAscendingOrder) {
   Tissue tissue(203);
   tissue.agents.set(5, AgentFlag::daughter, true);
-  tissue.list.build(tissue.agents, {.skin = r0});
+  tissue.list.build(tissue.agents, {.skin = r});
   PairTable table;
   table.build(tissue.list, tissue.bonds, tissue.agents.flags, daughtersMarked);
   for (Index i = 0; i < tissue.agents.size(); ++i) {
@@ -51,7 +53,7 @@ TEST(PairTable, HoldsNeighboursAndBondPartnersOnceEachInAscendingOrder) {
     for (Index j = 0; j < tissue.agents.size(); ++j) {
       const bool listed = std::ranges::count(tissue.list.of(i), j) > 0, bonded = tissue.bonds.bonded(i, j);
       if (!listed && !bonded) continue;
-      const float rest = bonded ? static_cast<float>(r0) : INFINITY;
+      const float rest = bonded ? static_cast<float>(r) : INFINITY;
       expected.emplace_back(j, i == 5 || j == 5 ? -rest : rest);
     }
     ASSERT_EQ(partners(table, i), expected) << i;
@@ -61,7 +63,7 @@ TEST(PairTable, HoldsNeighboursAndBondPartnersOnceEachInAscendingOrder) {
 
 TEST(PairTable, UpdatedIsWhatItWouldBeBuiltAnew) {
   Tissue tissue(1500);
-  const NeighbourRange range{.factor = 1, .daughterFactor = 1.3, .skin = 0.4 * r0};
+  const NeighbourRange range{.factor = 1, .daughterFactor = 1.3, .skin = 0.4 * r};
   tissue.list.update(tissue.agents, range);
   PairTable updated;
   updated.build(tissue.list, tissue.bonds, tissue.agents.flags, daughtersMarked);
@@ -70,8 +72,8 @@ TEST(PairTable, UpdatedIsWhatItWouldBeBuiltAnew) {
   int updates = 0;
   for (int step = 0; step < 40; ++step) {
     for (Index i = static_cast<Index>(step); i < tissue.agents.size(); i += 97)
-      tissue.agents.setPosition(i, tissue.agents.position(i) + 2 * r0 * random.direction());
-    tissue.agents.append(AgentKind::smc, tissue.agents.position(static_cast<Index>(step)), r0);
+      tissue.agents.setPosition(i, tissue.agents.position(i) + 2 * r * random.direction());
+    tissue.agents.append(AgentKind::smc, tissue.agents.position(static_cast<Index>(step)), r);
     tissue.bonds.resize(tissue.agents.size());
     const auto change = tissue.list.update(tissue.agents, range);
     PairTable anew;

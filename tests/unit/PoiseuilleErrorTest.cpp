@@ -3,13 +3,14 @@
 #include <cmath>
 #include <vector>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "PoiseuilleError.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(PoiseuilleError, WeighsByAreaAndLeavesTheEndsOut) {
   const double exact = vesselStress();

@@ -2,13 +2,14 @@
 
 #include <stdexcept>
 
+#include "Constants.h"
 #include "PolyMeshFiles.h"
 #include "TubeMesh.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(PolyMesh, isReadAsItWasWritten) {
   const TemporaryFolder scratch;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "LatticeSupport.h"
 #include "ProbeLines.h"
@@ -7,7 +8,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 TEST(ProbeLines, axisRunsThroughTheCentresOfATurnedTube) {
   const double angle = 0.3, length = 1e-3;

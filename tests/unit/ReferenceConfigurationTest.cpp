@@ -8,11 +8,11 @@
 namespace restenosis {
 namespace {
 
-constexpr double r = 1.0;
+constexpr double unit = 1.0;
 
 AgentStore row(int n) {
   AgentStore agents;
-  for (int k = 0; k < n; ++k) agents.append(AgentKind::smc, Vec3(10.0 * k, 0, 0), r);
+  for (int k = 0; k < n; ++k) agents.append(AgentKind::smc, Vec3(10.0 * k, 0, 0), unit);
   return agents;
 }
 
@@ -27,7 +27,7 @@ TEST(ReferenceConfiguration, ReportsNewAgentsOnce) {
   AgentStore agents = row(2);
   EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{0, 10}));
   EXPECT_TRUE(reference.follow(agents, 0.1).empty());
-  agents.append(AgentKind::smc, Vec3(50, 0, 0), r);
+  agents.append(AgentKind::smc, Vec3(50, 0, 0), unit);
   EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{50}));
 }
 
@@ -57,7 +57,7 @@ TEST(ReferenceConfiguration, NamesPlacesThatHoldWhereAnAgentWasAndIs) {
   agents.radius[0] = 1.2;
   const auto disturbed = reference.follow(agents, 0.1);
   ASSERT_EQ(disturbed.size(), 1u);
-  EXPECT_GE(disturbed[0].radius, (before - disturbed[0].centre).norm() + r - 1e-12);
+  EXPECT_GE(disturbed[0].radius, (before - disturbed[0].centre).norm() + unit - 1e-12);
   EXPECT_GE(disturbed[0].radius, (after - disturbed[0].centre).norm() + 1.2 - 1e-12);
 }
 
@@ -67,7 +67,7 @@ TEST(ReferenceConfiguration, FollowsOrderBirthAndRemovalById) {
   reference.follow(agents, 0.1);
   for (Index i = 0; i < 4; ++i) reference.marks()[i] = static_cast<std::uint8_t>(i + 1);
   agents.erase(std::vector<std::uint8_t>{0, 1, 0, 0});
-  agents.append(AgentKind::smc, Vec3(70, 0, 0), r);
+  agents.append(AgentKind::smc, Vec3(70, 0, 0), unit);
   agents.reorder(std::vector<Index>{3, 2, 0, 1});
   EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{10, 70}));
   const auto marks = reference.marks();

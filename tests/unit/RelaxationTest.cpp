@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "Constants.h"
 #include "ForceField.h"
 #include "RandomStream.h"
 #include "Relaxation.h"
@@ -12,7 +13,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r0 = 15e-6;
+using namespace support;
 
 /// A block of agents n across on a disturbed face-centred lattice with overlaps of about 5 % of the diameter,
 /// or `layers` high, its lowest and highest layer fixed, bonded where near.
@@ -22,13 +23,13 @@ struct Block {
 
   explicit Block(int n, bool bonded = true) : Block(n, bonded, n) {}
   Block(int n, bool bonded, int layers) {
-    const double spacing = 1.9 * r0 / std::sqrt(2.0);
+    const double spacing = 1.9 * r / std::sqrt(2.0);
     for (int z = 0; z < layers; ++z) {
       for (int y = 0; y < n; ++y) {
         for (int x = (y + z) % 2; x < n; x += 2) {
           RandomStream random(1, agents.nextId, 0, RandomPurpose::packing);
-          const Vec3 noise = 0.1 * r0 * random.uniform() * random.direction();
-          const Index i = agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r0);
+          const Vec3 noise = 0.1 * r * random.uniform() * random.direction();
+          const Index i = agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r);
           agents.set(i, AgentFlag::fixed, z == 0 || z == layers - 1);
         }
       }
@@ -37,7 +38,7 @@ struct Block {
     for (Index i = 0; bonded && i < agents.size(); ++i) {
       for (Index j = 0; j < i; ++j) {
         const double distance = (agents.position(i) - agents.position(j)).norm();
-        if (distance < 2.2 * r0) bonds.connect(i, j, distance);
+        if (distance < 2.2 * r) bonds.connect(i, j, distance);
       }
     }
   }
@@ -55,7 +56,7 @@ double largestResidual(const MechanicsParameters& p, const Block& block) {
   for (Index i = 0; i < block.agents.size(); ++i) {
     if (!block.agents.has(i, AgentFlag::fixed)) largest = std::max(largest, loads[i].force().norm());
   }
-  return largest / (p.contactModulus * r0 * r0);
+  return largest / (p.contactModulus * r * r);
 }
 
 TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
@@ -64,7 +65,7 @@ TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
       MechanicsParameters p;
       p.contactLaw = law, p.minimiser = minimiser;
       Block block(7);
-      const auto report = Relaxation(p, r0).relax(block.agents, block.bonds, {});
+      const auto report = Relaxation(p, r).relax(block.agents, block.bonds, {});
       EXPECT_TRUE(report.converged);
       EXPECT_GT(report.iterations, 0);
       EXPECT_LE(report.residual, p.tolerance);
@@ -77,7 +78,7 @@ TEST(Relaxation, MovesNeitherFixedAgentsNorStruts) {
   Block block(5);
   block.agents.kind[30] = AgentKind::strut;
   const AgentStore before = block.agents;
-  Relaxation(MechanicsParameters{}, r0).relax(block.agents, block.bonds, {});
+  Relaxation(MechanicsParameters{}, r).relax(block.agents, block.bonds, {});
   for (Index i = 0; i < before.size(); ++i) {
     const bool obstacle = before.has(i, AgentFlag::fixed) || i == 30;
     if (obstacle) {
@@ -91,9 +92,9 @@ TEST(Relaxation, GivesTheSameBitsForAnyNumberOfThreads) {
   const int threads = omp_get_max_threads();
   Block one(18), three(18);  // enough agents that the loops run in parallel
   omp_set_num_threads(1);
-  Relaxation(MechanicsParameters{}, r0).relax(one.agents, one.bonds, {});
+  Relaxation(MechanicsParameters{}, r).relax(one.agents, one.bonds, {});
   omp_set_num_threads(3);
-  Relaxation(MechanicsParameters{}, r0).relax(three.agents, three.bonds, {});
+  Relaxation(MechanicsParameters{}, r).relax(three.agents, three.bonds, {});
   omp_set_num_threads(threads);
   EXPECT_EQ(one.agents.x, three.agents.x);
   EXPECT_EQ(one.agents.y, three.agents.y);
@@ -107,26 +108,26 @@ TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
     MechanicsParameters p;
     p.precision = precision;
     Block block(13);
-    Relaxation relaxation(p, r0);
+    Relaxation relaxation(p, r);
     relaxation.relax(block.agents, block.bonds, {});
     for (int poke = 0; poke < 8; ++poke) {
       for (Index i = 300 + static_cast<Index>(poke); i < block.agents.size(); i += 400)
         block.agents.radius[i] *= 1.04;
       Block fresh = block;
       relaxation.relax(block.agents, block.bonds, {});
-      Relaxation(p, r0).relax(fresh.agents, fresh.bonds, {});
+      Relaxation(p, r).relax(fresh.agents, fresh.bonds, {});
       EXPECT_EQ(largestDifference(block.agents, fresh.agents), 0) << precision << ", poke " << poke;
     }
   }
 }
 
-/// Keeps agents above the plane z = 0.5 r0.
+/// Keeps agents above the plane z = 0.5 r.
 struct Floor : Constraint {
   void project(const AgentStore&, Index, Vec3& position) const override {
-    position.z() = std::max(position.z(), 0.5 * r0);
+    position.z() = std::max(position.z(), 0.5 * r);
   }
   void release(const AgentStore& agents, Index i, Vec3& force) const override {
-    if (agents.z[i] <= 0.5 * r0 && force.z() < 0) force.z() = 0;
+    if (agents.z[i] <= 0.5 * r && force.z() < 0) force.z() = 0;
   }
 };
 
@@ -137,7 +138,7 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
     MechanicsParameters p;
     p.precision = precision;
     Block block(11);
-    Relaxation relaxation(p, r0);
+    Relaxation relaxation(p, r);
     relaxation.relaxAgain(block.agents, block.bonds, constraints);
     std::uint64_t again = 0, anew = 0;
     for (int step = 0; step < 12; ++step) {
@@ -145,8 +146,8 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
       agents.radius[250 + step] *= 1.1;
       for (int n = 0; n < 1 + 20 * (step % 3); ++n) {  // a division
         const Index mother = 200 + static_cast<Index>(7 * step + 31 * n) % 400;
-        const Vec3 offset = 0.3 * r0 * RandomStream(4, step, n, RandomPurpose::packing).direction();
-        const Index born = agents.append(AgentKind::smc, agents.position(mother) - offset, 0.8 * r0);
+        const Vec3 offset = 0.3 * r * RandomStream(4, step, n, RandomPurpose::packing).direction();
+        const Index born = agents.append(AgentKind::smc, agents.position(mother) - offset, 0.8 * r);
         agents.set(born, AgentFlag::daughter, true);
         agents.setPosition(mother, agents.position(mother) + offset);
       }
@@ -160,7 +161,7 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
       }
       Block fresh = block;
       again += relaxation.relaxAgain(agents, block.bonds, constraints).agentEvaluations;
-      anew += Relaxation(p, r0).relax(fresh.agents, fresh.bonds, constraints).agentEvaluations;
+      anew += Relaxation(p, r).relax(fresh.agents, fresh.bonds, constraints).agentEvaluations;
       ASSERT_EQ(largestDifference(agents, fresh.agents), 0) << precision << ", step " << step;
       ASSERT_EQ(agents.pressure, fresh.agents.pressure) << precision << ", step " << step;
     }
@@ -170,7 +171,7 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
 
 TEST(Relaxation, LeavesAQuietTissueAsItIs) {
   Block block(6);
-  Relaxation relaxation(MechanicsParameters{}, r0);
+  Relaxation relaxation(MechanicsParameters{}, r);
   relaxation.relax(block.agents, block.bonds, {});
   const AgentStore before = block.agents;
   const auto report = relaxation.relax(block.agents, block.bonds, {});
@@ -182,7 +183,7 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
   MechanicsParameters p;
   p.tolerance = 0.01;
   Block block(12);
-  Relaxation relaxation(p, r0);
+  Relaxation relaxation(p, r);
   relaxation.relax(block.agents, block.bonds, {});
   const Index grown = block.agents.size() / 2 + 3;
   block.agents.radius[grown] *= 1.02;
@@ -197,9 +198,9 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
 TEST(Relaxation, MovesEverybodyWithoutSleeping) {
   MechanicsParameters p;
   Block block(12);
-  Relaxation(p, r0).relax(block.agents, block.bonds, {});
+  Relaxation(p, r).relax(block.agents, block.bonds, {});
   p.sleeping = false;
-  Relaxation all(p, r0);
+  Relaxation all(p, r);
   const AgentStore atRest = block.agents;
   EXPECT_EQ(all.relax(block.agents, block.bonds, {}).iterations, 0) << "nobody is above the tolerance";
   EXPECT_EQ(atRest.x, block.agents.x);
@@ -215,7 +216,7 @@ TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
   MechanicsParameters p;
   Block column(10, true, 200);
   column.agents.radius[column.agents.size() / 2] *= 4;
-  const auto report = Relaxation(p, r0).relax(column.agents, column.bonds, {});
+  const auto report = Relaxation(p, r).relax(column.agents, column.bonds, {});
   EXPECT_LE(largestResidual(p, column), p.tolerance);
   const auto everyone = static_cast<std::uint64_t>(std::ranges::count(column.agents.flags, 0));
   ASSERT_GT(report.iterations, 50);
@@ -227,7 +228,7 @@ TEST(Relaxation, CountsWhomTheContactLawDoesNotHoldFor) {
   // A small cell held in the middle of a large one, two that touch, and a strut inside another large one.
   AgentStore agents;
   const auto add = [&](AgentKind kind, double x, double radius) {
-    agents.append(kind, Vec3(x * r0, 0, 0), radius * r0);
+    agents.append(kind, Vec3(x * r, 0, 0), radius * r);
     agents.set(agents.size() - 1, AgentFlag::fixed, true);
   };
   add(AgentKind::smc, 0, 5), add(AgentKind::smc, 0.5, 1);
@@ -238,7 +239,7 @@ TEST(Relaxation, CountsWhomTheContactLawDoesNotHoldFor) {
   const auto beyond = [&](const char* law) {
     MechanicsParameters p;
     p.contactLaw = law;
-    Relaxation relaxation(p, r0);
+    Relaxation relaxation(p, r);
     relaxation.relax(agents, bonds, {});
     return relaxation.agentsBeyondLaw(agents);
   };
@@ -251,7 +252,7 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
   p.maximumIterations = 2;
   Block block(5);
   try {
-    Relaxation(p, r0).relax(block.agents, block.bonds, {});
+    Relaxation(p, r).relax(block.agents, block.bonds, {});
     FAIL();
   } catch (const RelaxationFailed& e) {
     EXPECT_NE(std::string(e.what()).find("mechanics.maximumIterations = 2"), std::string::npos) << e.what();
@@ -259,7 +260,7 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
   }
   p.stopAtMaximum = true;
   Block again(5);
-  const auto report = Relaxation(p, r0).relax(again.agents, again.bonds, {});
+  const auto report = Relaxation(p, r).relax(again.agents, again.bonds, {});
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_NEAR(report.residual, largestResidual(p, again), 1e-12);
@@ -269,7 +270,7 @@ TEST(Relaxation, NamesTheAgentWithoutAPosition) {
   Block block(3);
   block.agents.y[5] = std::nan("");
   try {
-    Relaxation(MechanicsParameters{}, r0).relax(block.agents, block.bonds, {});
+    Relaxation(MechanicsParameters{}, r).relax(block.agents, block.bonds, {});
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("agent 5"), std::string::npos) << e.what();
@@ -279,10 +280,10 @@ TEST(Relaxation, NamesTheAgentWithoutAPosition) {
 TEST(Relaxation, RefusesUnknownNames) {
   MechanicsParameters p;
   p.minimiser = "steepest";
-  EXPECT_THROW(Relaxation(p, r0), std::invalid_argument);
+  EXPECT_THROW(Relaxation(p, r), std::invalid_argument);
   p = {};
   p.contactLaw = "linear";
-  EXPECT_THROW(Relaxation(p, r0), std::invalid_argument);
+  EXPECT_THROW(Relaxation(p, r), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,22 +3,24 @@
 #include <cmath>
 #include <numbers>
 
+#include "Constants.h"
 #include "ShearResponse.h"
 
 namespace restenosis {
 namespace {
 
+using namespace support;
+
 using Drive = FlowConditions::Drive;
-constexpr double radius = 0.9e-3, length = 1.2e-3, pi = std::numbers::pi;
 
 /// The lumen of a tube whose wall is raised by `height` (z, angle).
 template <class Height>
 RadialMap raised(const Height& height) {
   return RadialMap(LumenField::fromFunction(
       [&](const Vec3& p) {
-        return radius - height(p.z(), std::atan2(p.y(), p.x())) - std::hypot(p.x(), p.y());
+        return vesselRadius - height(p.z(), std::atan2(p.y(), p.x())) - std::hypot(p.x(), p.y());
       },
-      length, 1.1e-3, 15e-6));
+      vesselLength, 1.1e-3, 15e-6));
 }
 
 const RadialMap& plain() {
@@ -26,7 +28,9 @@ const RadialMap& plain() {
   return map;
 }
 
-Vec3 onWall(double z, double angle) { return {radius * std::cos(angle), radius * std::sin(angle), z}; }
+Vec3 onWall(double z, double angle) {
+  return {vesselRadius * std::cos(angle), vesselRadius * std::sin(angle), z};
+}
 
 TEST(ShearResponse, nothingMovedNothingChanges) {
   const ShearResponse response(plain(), plain(), Drive::flowRate, 0);
@@ -35,7 +39,7 @@ TEST(ShearResponse, nothingMovedNothingChanges) {
 
 TEST(ShearResponse, uniformNarrowingIsThatOfATube) {
   const RadialMap narrow = raised([](double, double) { return 2e-6; });
-  const double x = 2e-6 / radius;
+  const double x = 2e-6 / vesselRadius;
   EXPECT_NEAR(ShearResponse(plain(), narrow, Drive::flowRate, 0).factorAt(onWall(0.6e-3, 0)), 1 + 3 * x,
               0.02 * x);
   EXPECT_NEAR(ShearResponse(plain(), narrow, Drive::pressureGradient, 0).factorAt(onWall(0.6e-3, 0)), 1 - x,
@@ -44,25 +48,26 @@ TEST(ShearResponse, uniformNarrowingIsThatOfATube) {
 
 TEST(ShearResponse, wavesAlongTheFlowCountTwiceThoseAroundTheVessel) {
   const double height = 1e-6;
-  const double along = 8 * 2 * pi / length;
+  const double along = 8 * 2 * pi / vesselLength;
   const RadialMap ripples = raised([&](double z, double) { return height * std::cos(along * z); });
   const ShearResponse atRipples(plain(), ripples, Drive::flowRate, 0);
-  EXPECT_NEAR(atRipples.factorAt(onWall(length / 2, 0.7)) - 1, 2 * along * height, 0.05 * along * height);
-  const double trough = length / 2 + length / 16;
+  EXPECT_NEAR(atRipples.factorAt(onWall(vesselLength / 2, 0.7)) - 1, 2 * along * height,
+              0.05 * along * height);
+  const double trough = vesselLength / 2 + vesselLength / 16;
   EXPECT_NEAR(1 / atRipples.factorAt(onWall(trough, 0.7)) - 1, 2 * along * height, 0.05 * along * height);
 
-  const double around = 30 / radius;
+  const double around = 30 / vesselRadius;
   const RadialMap flutes = raised([&](double, double angle) { return height * std::cos(30 * angle); });
   const ShearResponse atFlutes(plain(), flutes, Drive::flowRate, 0);
   EXPECT_NEAR(atFlutes.factorAt(onWall(0.4e-3, 0)) - 1, around * height, 0.05 * around * height);
 }
 
 TEST(ShearResponse, shortWavesAreSmoothedAway) {
-  const double along = 20 * 2 * pi / length, cutoff = 2 / along;
+  const double along = 20 * 2 * pi / vesselLength, cutoff = 2 / along;
   const RadialMap ripples = raised([&](double z, double) { return 1e-6 * std::cos(along * z); });
   const ShearResponse sharp(plain(), ripples, Drive::flowRate, 0);
   const ShearResponse smooth(plain(), ripples, Drive::flowRate, cutoff);
-  const Vec3 crest = onWall(length / 2, 0);
+  const Vec3 crest = onWall(vesselLength / 2, 0);
   EXPECT_NEAR((smooth.factorAt(crest) - 1) / (sharp.factorAt(crest) - 1), std::exp(-2), 0.01);
 }
 
@@ -76,8 +81,8 @@ TEST(ShearResponse, staysPositiveHoweverDeepTheHollow) {
 }
 
 TEST(ShearResponse, refusesMapsThatDoNotMatch) {
-  const auto field = LumenField::fromFunction([](const Vec3& p) { return radius - std::hypot(p.x(), p.y()); },
-                                              length, 1.1e-3, 15e-6);
+  const auto field = LumenField::fromFunction(
+      [](const Vec3& p) { return vesselRadius - std::hypot(p.x(), p.y()); }, vesselLength, 1.1e-3, 15e-6);
   EXPECT_THROW(ShearResponse(plain(), RadialMap(field, 90), Drive::flowRate, 0), std::invalid_argument);
 }
 

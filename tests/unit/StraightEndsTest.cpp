@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "AnalyticBackend.h"
+#include "Constants.h"
 #include "FlowSupport.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
@@ -11,7 +12,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 constexpr double ends = 0.5e-3;
 

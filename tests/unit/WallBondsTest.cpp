@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "RandomStream.h"
 #include "WallBonds.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
 
 Wall wallOf(const std::vector<std::pair<AgentKind, Vec3>>& places) {
   Wall wall;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Constants.h"
 #include "Cylindrical.h"
 #include "EndPlanes.h"
 #include "LaminaCylinders.h"
@@ -8,7 +9,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
 
 class WallConstraints : public testing::Test {
  protected:

@@ -10,15 +10,12 @@
 #include "SweptTube.h"
 #include "TemporaryFolder.h"
 #include "TubeSurface.h"
+#include "VesselFlowChecks.h"
 
 namespace restenosis {
 namespace {
 
-using namespace testing;
-
-/// As for a tube along z at draft: L2 1.0 % was measured there.
-constexpr double meanLimit = 0.01, l2Limit = 0.015;
-constexpr double endMargin = 0.1e-3;
+using namespace support;
 
 AnyDirection draft() {
   return AnyDirection(std::make_unique<FoamBackend>(FoamSettings::forFidelity("draft")));

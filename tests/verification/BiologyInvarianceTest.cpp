@@ -46,7 +46,7 @@ struct Growth {
   Index divisions = 0;
 
   Growth() {
-    testing::appendRandomPacking(agents, {side, side, side}, r);
+    support::appendRandomPacking(agents, {side, side, side}, r);
     bonds.resize(agents.size());
     rules.updateInhibition(agents);
   }

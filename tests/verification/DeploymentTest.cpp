@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using Setting = testing::SmallDeployment;
+using Setting = support::SmallDeployment;
 
 Wall packedWall() {
   static const Wall wall = packWall(Setting().vessel, Setting().mechanics, 1);

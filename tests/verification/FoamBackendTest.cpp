@@ -11,12 +11,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
-
-/// Measured at draft on a 1.2 mm tube: mean -0.5 %, L2 1.0 %, largest 2.1 %.
-constexpr double meanLimit = 0.01, l2Limit = 0.015;
-/// The inlet's profile vanishes at the circle, not on the meshed polygon: the faces next to it are left out.
-constexpr double endMargin = 0.1e-3;
+using namespace support;
 
 TEST(FoamBackend, poiseuilleAtFixedFlowRate) {
   RESTENOSIS_NEEDS_OPENFOAM();

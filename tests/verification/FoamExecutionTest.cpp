@@ -13,7 +13,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// Area-weighted L2 difference of `a` from the nearest face of `b`, against the mean stress.
 double l2Difference(const FlowSolution& a, const FlowSolution& b) {

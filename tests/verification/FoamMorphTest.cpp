@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 using Remeshing = FoamBackend::Remeshing;
 
 /// A backend whose first solve meshes `former`, and that is then to start from it.
@@ -35,7 +35,7 @@ TriSurface tubeAroundRing(double radius) {
   return revolve(profile);
 }
 
-double meanStress(const FlowSolution& solution, SurfaceRegion region) {
+double meanStressOf(const FlowSolution& solution, SurfaceRegion region) {
   double sum = 0.0, area = 0.0;
   for (const WallFace& f : solution.wall)
     if (f.region == region) sum += f.area * f.traction.norm(), area += f.area;
@@ -69,9 +69,10 @@ TEST(FoamMorph, aMovedMeshGivesTheStressOfANewOneAroundARing) {
   ASSERT_FALSE(made.meshMoved);
   EXPECT_TRUE(made.remeshedBecause.empty());
   EXPECT_NEAR(moved.pressureDrop / made.pressureDrop, 1.0, 0.01);
-  EXPECT_NEAR(meanStress(moved, SurfaceRegion::wall) / meanStress(made, SurfaceRegion::wall), 1.0, 0.02);
+  EXPECT_NEAR(meanStressOf(moved, SurfaceRegion::wall) / meanStressOf(made, SurfaceRegion::wall), 1.0, 0.02);
   // The stress at the ring's edges depends on the mesh
-  EXPECT_NEAR(meanStress(moved, SurfaceRegion::strut) / meanStress(made, SurfaceRegion::strut), 1.0, 0.05);
+  EXPECT_NEAR(meanStressOf(moved, SurfaceRegion::strut) / meanStressOf(made, SurfaceRegion::strut), 1.0,
+              0.05);
 }
 
 TEST(FoamMorph, theFormerFlowIsAShorterWayToTheSameStress) {

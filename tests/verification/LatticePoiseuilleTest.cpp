@@ -7,7 +7,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 LatticeRelaxation relaxed(double tau, bool single = false) {
   LatticeRelaxation r;

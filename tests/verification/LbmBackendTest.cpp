@@ -11,7 +11,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 LbmSettings spaced(double dx) {
   LbmSettings settings;

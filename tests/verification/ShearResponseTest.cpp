@@ -12,7 +12,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// Waves on the wall of a tube, 10 um high, that fade towards its ends.
 struct Waves {

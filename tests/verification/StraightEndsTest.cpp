@@ -11,7 +11,7 @@
 namespace restenosis {
 namespace {
 
-using namespace testing;
+using namespace support;
 
 /// A ring of a tenth of the radius, 0.2 mm from both ends: the flow that it disturbs is cut off there.
 /// Measured against ends of three radii: 12 % too much stress without, 0.4 % too little with a radius.
