@@ -22,10 +22,10 @@ constexpr double spacing = 15e-6;  // [m]
 constexpr int nodesAlong = 300, nodesAcross = 130;
 constexpr double relaxationTime = 0.6;
 
-/// Rate at which all threads read and write 19 arrays in place, together larger than any cache [B/s].
+/// Rate at which all threads read and write 19 arrays in place, each of as many elements as the lattice has
+/// places, so that no more of them fit into a cache than of the lattice [B/s].
 template <class Real>
-double inPlaceRate() {
-  constexpr std::size_t each = (std::size_t{96} << 20) / (d3q19::directions * sizeof(Real)) / 64 * 64;
+double inPlaceRate(std::size_t each) {
   std::vector<Real> values(d3q19::directions * each, Real(1));
   const double seconds = secondsPerCall([&] {
 #pragma omp parallel
@@ -74,9 +74,10 @@ Rates measure(const Case& work, int threads) {
   LatticeFlow<Real> flow(work.lattice->layout, work.boundary, relaxation);
   flow.initialise([](std::uint32_t) { return NodeState{}; });
   // The limit before and after: the machine may be shared
-  const double limitBefore = inPlaceRate<Real>();
+  const std::size_t places = work.lattice->layout.places();
+  const double limitBefore = inPlaceRate<Real>(places);
   const double pair = secondsPerCall([&] { flow.advance(1); });
-  const double limit = std::max(limitBefore, inPlaceRate<Real>());
+  const double limit = std::max(limitBefore, inPlaceRate<Real>(places));
   omp_set_num_threads(before);
   return {2.0 * static_cast<double>(work.lattice->layout.fluidNodes()) / pair, limit / flow.bytesPerNode()};
 }
@@ -91,7 +92,7 @@ void benchLattice(std::ostream& out) {
              "({:.2f} links a node), pressure ends\n"
              "Million fluid-node updates a second by wall clock, the best of several. The limit is the rate "
              "at which the "
-             "machine updates 19 arrays in place.\n\n",
+             "machine updates 19 arrays of that size in place.\n\n",
              nodesAlong, nodesAcross, nodesAcross,
              1e-6 * static_cast<double>(work.lattice->layout.fluidNodes()),
              static_cast<double>(work.boundary.wall.size()) /

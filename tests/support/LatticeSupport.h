@@ -12,10 +12,10 @@
 namespace restenosis::support {
 
 /// What a solved lattice flow is off from Poiseuille's, relative: velocity in L2 over the nodes; wall shear
-/// stress in the area-weighted mean and rms over the faces, then the rms from the velocity gradient
-/// everywhere and from the nearest node's stress.
+/// stress in the area-weighted mean and rms over the faces, then both from the ratio of velocity to wall
+/// distance everywhere, the rms from the velocity gradient everywhere and from the nearest node's stress.
 struct TubeErrors {
-  double velocity, stressMean, stressRms, gradientRms, nearestRms;
+  double velocity, stressMean, stressRms, ratioMean, ratioRms, gradientRms, nearestRms;
 };
 
 /// Where each place of a layout is [m].
@@ -73,6 +73,7 @@ TubeErrors periodicTube(double diameter, WallRule rule, LatticeRelaxation relaxa
     rms = std::sqrt(square / area);
   };
   over(StressRule::adaptive, &e.stressMean, e.stressRms);
+  over(StressRule::ratio, &e.ratioMean, e.ratioRms);
   over(StressRule::gradient, nullptr, e.gradientRms);
   over(StressRule::nearest, nullptr, e.nearestRms);
   return e;

@@ -61,6 +61,37 @@ TEST(WallFit, theWallMayBend) {
   EXPECT_NEAR(applied(nodes, field), 1.0, 1e-4);
 }
 
+/// Sets the distance from a bumpy wall, -p.n + h cos(k s) at the face.
+double bumpyDistance(const Vec3& p) {
+  return -p.dot(oblique) + 0.2 * (1.0 - std::cos(1.5 * p.dot(oblique.unitOrthogonal())));
+}
+
+TEST(WallFit, ratioToTheDistanceOfAnyWallIsFound) {
+  auto nodes = nodesBelow(oblique, 2.25);
+  for (NearNode& n : nodes) n.wallDistance = bumpyDistance(n.offset);
+  fitWallRatio(nodes);
+  EXPECT_NEAR(applied(nodes, [](const Vec3& p) { return 3.0 * bumpyDistance(p); }), 3.0, 1e-12);
+}
+
+TEST(WallFit, slopesOfTheRatioAreMostlyFollowed) {
+  auto nodes = nodesBelow(oblique, 2.25);
+  for (NearNode& n : nodes) n.wallDistance = -n.offset.dot(oblique);
+  fitWallRatio(nodes);
+  // Poiseuille's flow in a tube of 30 spacings, near its wall; the mean ratio would be off by 3 %
+  const auto field = [](const Vec3& p) { return -p.dot(oblique) * (1.0 + p.dot(oblique) / 30.0); };
+  EXPECT_NEAR(applied(nodes, field), 1.0, 0.01);
+}
+
+TEST(WallFit, fewNodesGiveTheMeanRatio) {
+  std::vector<NearNode> nodes = {{0, -0.5 * oblique, 1.0, 0.3}, {1, -1.5 * oblique, 0.5, 1.2}};
+  fitWallRatio(nodes);
+  EXPECT_NEAR(applied(nodes, [](const Vec3& p) { return p.norm() < 1.0 ? 2.0 * 0.3 : 2.0 * 1.2; }), 2.0,
+              1e-12);
+  nodes = {{0, Vec3::Zero(), 1.0, 0.0}};
+  fitWallRatio(nodes);
+  EXPECT_EQ(nodes.front().weight, 0.0);
+}
+
 TEST(WallFit, fewNodesGiveTheSlopeFromTheWall) {
   std::vector<NearNode> nodes = {{0, -0.5 * oblique, 1.0}, {1, -1.5 * oblique, 0.5}};
   fitWallDerivative(nodes, oblique);

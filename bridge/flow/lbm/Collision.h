@@ -56,7 +56,25 @@ template <class Real>
 class Part {
  public:
   using V = typename Of<Real>::type;
-#if defined(__AVX__) && !defined(__AVX512F__)
+#if defined(__AVX512F__)
+  explicit Part(std::size_t count) : mask_(static_cast<Mask>((1U << count) - 1U)) {}
+  V load(const Real* from) const {
+    if constexpr (sizeof(Real) == 4)
+      return (V)_mm512_maskz_loadu_ps(mask_, from);
+    else
+      return (V)_mm512_maskz_loadu_pd(mask_, from);
+  }
+  void store(Real* to, const V& v) const {
+    if constexpr (sizeof(Real) == 4)
+      _mm512_mask_storeu_ps(to, mask_, (__m512)v);
+    else
+      _mm512_mask_storeu_pd(to, mask_, (__m512d)v);
+  }
+
+ private:
+  using Mask = std::conditional_t<sizeof(Real) == 4, __mmask16, __mmask8>;
+  Mask mask_;
+#elif defined(__AVX__)
   explicit Part(std::size_t count) {
     alignas(bytes) std::array<Word, Of<Real>::count> mask{};
     for (std::size_t k = 0; k < count; ++k) mask[k] = -1;
@@ -93,6 +111,9 @@ class Part {
 };
 }  // namespace lanes
 
+/// How far ahead populations are asked for [bytes]; from 256 to 1024 makes no difference.
+inline constexpr std::size_t prefetched = 512;
+
 /// Collides `lanes::Of<Real>::count` nodes that follow each other, in place. slots[i] is where the first
 /// node's population i arrives; the population leaving in direction i is written where that of the opposite
 /// direction arrived. That is all there is to in-place streaming (the AA pattern): in an even step the slots
@@ -109,7 +130,11 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
                          const Memory& memory) {
   using V = typename lanes::Of<Real>::type;
   using namespace d3q19;
-  const auto load = [&](const Real* slot) -> V { return memory.load(slot + at); };
+  const auto load = [&](const Real* slot) -> V {
+    // 19 streams are more than processors follow by themselves
+    __builtin_prefetch(slot + at + prefetched / sizeof(Real));
+    return memory.load(slot + at);
+  };
   V sum[pairs], difference[pairs];
   V rho = load(slots[0]);
   const V rest = rho;

@@ -16,7 +16,6 @@ namespace restenosis {
 namespace {
 
 constexpr std::size_t nodesPerShare = 8192;
-constexpr std::size_t nodesTogether = 256;  // of an end
 constexpr std::size_t hugePage = std::size_t{1} << 21;
 
 /// Runs in portions: indices of the first run of each, and the number of runs.
@@ -74,7 +73,28 @@ LatticeFlow<Real>::LatticeFlow(const ColumnLayout& layout, LatticeBoundary bound
   boundary_.wall = {};
   ends_.resize(boundary_.pressureNodes.size());
   for (const auto& node : boundary_.pressureNodes) outletNodes_ += node.outlet ? 1 : 0;
+  if (!ends_.empty()) findEndsOfRuns();
   allocate();
+}
+
+template <class Real>
+void LatticeFlow<Real>::findEndsOfRuns() {
+  const auto& runs = layout_.runs();
+  std::vector<std::vector<EndOfRun>> of(runs.size());
+  for (std::size_t n = 0; n < boundary_.pressureNodes.size(); ++n) {
+    const std::uint32_t inner = boundary_.pressureNodes[n].inner;
+    // Runs follow each other in the order of their places
+    const auto after =
+        std::upper_bound(runs.begin(), runs.end(), inner,
+                         [](std::uint32_t place, const NodeRun& r) { return place < r.first; });
+    const auto run = static_cast<std::size_t>(after - runs.begin()) - 1;
+    of[run].push_back({inner - runs[run].first, static_cast<std::uint32_t>(n)});
+  }
+  for (const auto& ends : of) {
+    firstEnd_.push_back(static_cast<std::uint32_t>(endsOfRuns_.size()));
+    endsOfRuns_.insert(endsOfRuns_.end(), ends.begin(), ends.end());
+  }
+  firstEnd_.push_back(static_cast<std::uint32_t>(endsOfRuns_.size()));
 }
 
 template <class Real>
@@ -115,7 +135,8 @@ void LatticeFlow<Real>::initialise(const std::function<NodeState(std::uint32_t)>
 }
 
 template <class Real>
-void LatticeFlow<Real>::collide(const NodeRun& run, Parity parity) {
+void LatticeFlow<Real>::collide(std::size_t index, Parity parity) {
+  const NodeRun& run = layout_.runs()[index];
   Real* slots[d3q19::directions];
   for (int i = 0; i < d3q19::directions; ++i) {
     const auto& c = d3q19::c[static_cast<std::size_t>(i)];
@@ -128,6 +149,21 @@ void LatticeFlow<Real>::collide(const NodeRun& run, Parity parity) {
     collideRun<Real, true>(slots, run.count, collision_);
   else
     collideRun<Real, false>(slots, run.count, collision_);
+  if (!firstEnd_.empty()) takeEnds(index, slots);
+}
+
+template <class Real>
+void LatticeFlow<Real>::takeEnds(std::size_t run, Real* const* slots) {
+  for (std::uint32_t e = firstEnd_[run]; e < firstEnd_[run + 1]; ++e) {
+    // Collisions keep the density and add the force; where a population arrived, its opposite leaves.
+    double density = 0.0, momentum = 0.0;
+    for (int i = 0; i < d3q19::directions; ++i) {
+      const auto f = static_cast<double>(slots[i][endsOfRuns_[e].offset]);
+      density += f;
+      momentum -= f * d3q19::c[static_cast<std::size_t>(i)][2];
+    }
+    ends_[endsOfRuns_[e].node] = {density, momentum - 0.5 * relaxation_.force.z()};
+  }
 }
 
 template <class Real>
@@ -142,20 +178,6 @@ Real LatticeFlow<Real>::arriving(const LatticeBoundary::PressureNode& node, int 
 template <class Real>
 template <typename LatticeFlow<Real>::Parity parity>
 void LatticeFlow<Real>::applyPressure() {
-  // Populations of the ends lie far apart: direction after direction the waits for memory overlap.
-#pragma omp for schedule(static)
-  for (std::size_t begin = 0; begin < ends_.size(); begin += nodesTogether) {
-    const std::size_t end = std::min(ends_.size(), begin + nodesTogether);
-    for (std::size_t n = begin; n < end; ++n) ends_[n] = {0.0, 0.5 * relaxation_.force.z()};
-    for (int i = 0; i < d3q19::directions; ++i) {
-      const double along = d3q19::c[static_cast<std::size_t>(i)][2];
-      for (std::size_t n = begin; n < end; ++n) {
-        const auto f = static_cast<double>(arriving<parity>(boundary_.pressureNodes[n], i));
-        ends_[n].density += f;
-        ends_[n].velocity += f * along;
-      }
-    }
-  }
   if (boundary_.expectedOutflow >= 0.0) {
 #pragma omp single
     {
@@ -213,14 +235,13 @@ void LatticeFlow<Real>::applyBoundary() {
 
 template <class Real>
 void LatticeFlow<Real>::advance(int pairs) {
-  const auto& runs = layout_.runs();
   const std::size_t portionCount = shares_.size() - 1;
 #pragma omp parallel
   for (int pair = 0; pair < pairs; ++pair) {
     const auto sweep = [&](Parity parity) {
 #pragma omp for schedule(dynamic, 1)
       for (std::size_t portion = 0; portion < portionCount; ++portion)
-        for (std::size_t r = shares_[portion]; r < shares_[portion + 1]; ++r) collide(runs[r], parity);
+        for (std::size_t r = shares_[portion]; r < shares_[portion + 1]; ++r) collide(r, parity);
     };
     sweep(Parity::even);
     applyBoundary<Parity::even>();

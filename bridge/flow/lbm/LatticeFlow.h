@@ -78,7 +78,11 @@ class LatticeFlow : public LatticeFlowBase {
   enum class Parity { even, odd };
 
   void allocate();
-  void collide(const NodeRun& run, Parity parity);
+  void collide(std::size_t run, Parity parity);
+  void findEndsOfRuns();
+  /// Density and velocity at the inner nodes of the ends in a run, from what leaves them after their
+  /// collision.
+  void takeEnds(std::size_t run, Real* const* slots);
   template <Parity parity>
   void applyBoundary();
   template <Parity parity>
@@ -98,7 +102,13 @@ class LatticeFlow : public LatticeFlowBase {
   struct EndState {
     double density, velocity;
   };
-  std::vector<EndState> ends_;  // of boundary_.pressureNodes, at their inner nodes
+  std::vector<EndState> ends_;  // of boundary_.pressureNodes, at their inner nodes, before the last collision
+  struct EndOfRun {
+    std::uint32_t offset;  // of the inner node in its run
+    std::uint32_t node;    // of boundary_.pressureNodes
+  };
+  std::vector<EndOfRun> endsOfRuns_;     // those of run r: from firstEnd_[r] to below firstEnd_[r + 1]
+  std::vector<std::uint32_t> firstEnd_;  // empty without pressure nodes
   double outletDensity_ = 0.0;
   std::size_t outletNodes_ = 0;
   std::vector<std::size_t> shares_;  // runs in portions of about equal numbers of nodes

@@ -35,11 +35,15 @@ void LbmSettings::describe(ParameterVisitor& p) {
   p.choice(
       wall, {"interpolated", "bounceBack"},
       {.key = "wall", .source = "assumed", .description = "the wall where it is, or half a link away (T6)"});
-  p.choice(stress, {"adaptive", "fitted", "gradient", "nearest"},
-           {.key = "stress",
-            .source = "assumed",
-            .description = "from the stress of the nodes around (fitted), from the velocity gradient at the "
-                           "wall (gradient), the second near edges only (adaptive), or the nearest node's"});
+  p.choice(
+      stress, {"adaptive", "fitted", "ratio", "gradient", "nearest"},
+      {.key = "stress",
+       .source = "assumed",
+       .description =
+           "from the stress of the nodes around (fitted), from the ratio of their velocity to the distance "
+           "from the wall (ratio), from the velocity gradient (gradient), the first where the wall "
+           "is smooth, the second where it is rough, the third on struts (adaptive), or the nearest "
+           "node's stress"});
   p.choice(precision, {"double", "float"},
            {.key = "precision", .source = "assumed", .description = "of the populations"});
   p.quantity(latticeVelocity,

@@ -18,7 +18,7 @@ struct LbmSettings {
   std::string collision = "trt";       ///< trt or bgk
   double magic = 3.0 / 16.0;           ///< magic parameter of the two relaxation times
   std::string wall = "interpolated";   ///< interpolated or bounceBack
-  std::string stress = "adaptive";     ///< adaptive, fitted, gradient or nearest
+  std::string stress = "adaptive";     ///< adaptive, fitted, ratio, gradient or nearest
   std::string precision = "double";    ///< double or float
   double latticeVelocity = 0.1;        ///< largest expected velocity [spacings per time step]
   double tolerance = 1e-3;             ///< estimated distance of WSS from its steady state, relative

@@ -22,6 +22,7 @@ constexpr double checksPerPassage = 20.0;
 
 StressRule stressRule(const std::string& name) {
   if (name == "nearest") return StressRule::nearest;
+  if (name == "ratio") return StressRule::ratio;
   if (name == "gradient") return StressRule::gradient;
   return name == "fitted" ? StressRule::fitted : StressRule::adaptive;
 }

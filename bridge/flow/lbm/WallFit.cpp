@@ -8,12 +8,18 @@ namespace restenosis {
 namespace {
 
 /// Nodes below which no slope, and no curvature, is fitted.
-constexpr std::size_t fewestNodes = 6, fewestForCurvature = 12;
+constexpr std::size_t fewestNodes = 6, fewestForSlope = 8, fewestForCurvature = 12;
 /// Ridge on the slopes, relative to the sum of weights: decides where nodes lie in a plane.
 constexpr double ridge = 1e-6;
 /// Most by which the fit may enlarge errors of the nodes: the sum of |weight| d, which is 1 for the fit of d
 /// alone.
 constexpr double mostAmplification = 4.0;
+/// The same for the fit of the ratio to the wall distance: the sum of |weight| times that distance.
+constexpr double mostRatioAmplification = 2.5;
+/// Ridge on the slopes of that ratio (assumed; docs/results/lbm.md).
+constexpr double ratioRidge = 0.1;
+/// Added to distances from the wall [spacings], so that a node on it does not count infinitely (assumed).
+constexpr double leastDistance = 0.1;
 
 constexpr int terms = 7;
 using Row = Eigen::Matrix<double, terms, 1>;
@@ -44,6 +50,31 @@ void fitValue(std::vector<NearNode>& nodes) {
   normalMatrix.diagonal().tail<3>().array() += ridge * total;
   const Eigen::Vector4d value = normalMatrix.ldlt().solve(Eigen::Vector4d::Unit(0));
   for (NearNode& n : nodes) n.weight *= value.dot(row(n));
+}
+
+void fitWallRatio(std::vector<NearNode>& nodes) {
+  Eigen::Matrix4d normalMatrix = Eigen::Matrix4d::Zero();
+  const auto row = [](const NearNode& n) {
+    return Eigen::Vector4d(n.wallDistance * Eigen::Vector4d(1.0, n.offset.x(), n.offset.y(), n.offset.z()));
+  };
+  for (NearNode& n : nodes) {
+    n.weight /= (n.wallDistance + leastDistance) * (n.wallDistance + leastDistance);
+    normalMatrix += n.weight * row(n) * row(n).transpose();
+  }
+  const double total = normalMatrix(0, 0);
+  if (!(total > 0.0)) {
+    for (NearNode& n : nodes) n.weight = 0.0;
+    return;
+  }
+  Eigen::Vector4d derivative = Eigen::Vector4d(1.0 / total, 0.0, 0.0, 0.0);
+  if (nodes.size() >= fewestForSlope) {
+    normalMatrix.diagonal().tail<3>().array() += ratioRidge * total;
+    const Eigen::Vector4d linear = normalMatrix.ldlt().solve(Eigen::Vector4d::Unit(0));
+    double amplification = 0.0;
+    for (const NearNode& n : nodes) amplification += std::abs(n.weight * linear.dot(row(n)) * n.wallDistance);
+    if (amplification < mostRatioAmplification) derivative = linear;
+  }
+  for (NearNode& n : nodes) n.weight *= derivative.dot(row(n));
 }
 
 void keepNearest(std::vector<NearNode>& nodes) {

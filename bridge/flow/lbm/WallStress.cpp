@@ -5,13 +5,14 @@
 
 #include "PointTree.h"
 #include "SmoothNormals.h"
+#include "WallDistances.h"
 #include "WallFit.h"
 
 namespace restenosis {
 namespace {
 
 /// Nodes count up to this distance [spacings], for values and for derivatives (assumed; docs/results/lbm.md).
-constexpr double valueRadius = 2.5, derivativeRadius = 3.0;
+constexpr double valueRadius = 2.5, ratioRadius = 2.25, derivativeRadius = 3.0;
 /// Nodes with a link to the wall count less in values: their stress carries the wall rule's error.
 constexpr double linkedWeight = 0.1;
 /// Where there are fewer than `fewestNodes`, those up to this distance.
@@ -87,6 +88,17 @@ class EdgeFinder {
   const std::vector<Vec3>& normals_;
 };
 
+double reachOf(StressRule rule) {
+  switch (rule) {
+    case StressRule::gradient:
+      return derivativeRadius;
+    case StressRule::ratio:
+      return ratioRadius;
+    default:
+      return valueRadius;
+  }
+}
+
 }  // namespace
 
 WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule,
@@ -97,7 +109,7 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
     if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
     const double area = lumen.areaVector(i).norm();
     if (!(area > 0.0)) continue;
-    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0, false});
+    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0, rule});
   }
 
   std::vector<Vec3> faceCentres, faceNormals;
@@ -108,21 +120,39 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
-    face.gradient =
-        rule == StressRule::gradient ||
-        (rule == StressRule::adaptive && edges.near(face.centre, face.normal, edgeReach * lattice.frame.dx));
-    const double ofLinked = face.gradient ? 1.0 : linkedWeight;
-    auto nodes =
-        finder.around(face.centre, face.normal, face.gradient ? derivativeRadius : valueRadius, ofLinked);
-    if (nodes.size() < fewestNodes) nodes = finder.around(face.centre, face.normal, largeRadius, ofLinked);
-    if (nodes.empty()) continue;
-    if (face.gradient)
-      fitWallDerivative(nodes, face.normal);
-    else if (rule == StressRule::nearest)
-      keepNearest(nodes);
-    else
-      fitValue(nodes);
-    found[f] = std::move(nodes);
+    if (rule == StressRule::adaptive) {
+      const bool edge = edges.near(face.centre, face.normal, edgeReach * lattice.frame.dx);
+      face.rule = !edge                                 ? StressRule::fitted
+                  : face.region == SurfaceRegion::strut ? StressRule::gradient
+                                                        : StressRule::ratio;
+    }
+    const double ofLinked = face.ofVelocity() ? 1.0 : linkedWeight;
+    found[f] = finder.around(face.centre, face.normal, reachOf(face.rule), ofLinked);
+    if (found[f].size() < fewestNodes)
+      found[f] = finder.around(face.centre, face.normal, largeRadius, ofLinked);
+  }
+
+  WallDistances distances(lumen, lattice);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (faces_[f].rule == StressRule::ratio) distances.add(faces_[f].centre, found[f]);
+  distances.find();
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (found[f].empty()) continue;
+    switch (faces_[f].rule) {
+      case StressRule::gradient:
+        fitWallDerivative(found[f], faces_[f].normal);
+        break;
+      case StressRule::ratio:
+        distances.set(found[f]);
+        fitWallRatio(found[f]);
+        break;
+      case StressRule::nearest:
+        keepNearest(found[f]);
+        break;
+      default:
+        fitValue(found[f]);
+    }
   }
 
   for (const auto& nodes : found)
@@ -147,7 +177,7 @@ Vec3 WallStress::traction(std::size_t face, const std::vector<NodeValue>& values
     for (std::size_t k = 0; k < s.size(); ++k) s[k] += terms_[t].weight * values[terms_[t].node][k];
   const Vec3& n = f.normal;
   Vec3 onWall = viscosity_ * Vec3(s[6], s[7], s[8]);
-  if (!f.gradient)
+  if (!f.ofVelocity())
     onWall = -Vec3(s[0] * n.x() + s[3] * n.y() + s[4] * n.z(), s[3] * n.x() + s[1] * n.y() + s[5] * n.z(),
                    s[4] * n.x() + s[5] * n.y() + s[2] * n.z());
   return pascal * (onWall - onWall.dot(n) * n);

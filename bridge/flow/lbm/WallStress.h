@@ -12,8 +12,10 @@ namespace restenosis {
 
 /// How the stress on a face of the wall follows from the nodes near it.
 enum class StressRule {
-  adaptive,  ///< fitted where the wall is smooth on the scale of the spacing, gradient near edges
+  adaptive,  ///< fitted where the wall is smooth on the scale of the spacing; elsewhere ratio, on struts
+             ///< gradient
   gradient,  ///< of the velocity along the normal, fitted to the nodes around with none on the wall
+  ratio,     ///< of the velocity to the distance from the wall, fitted to the nodes around, at the wall
   fitted,    ///< a linear function fitted to the stress of the nodes around, at the wall
   nearest    ///< the stress of the nearest node, as it is
 };
@@ -47,7 +49,8 @@ class WallStress {
     double area;
     SurfaceRegion region;
     std::uint32_t first, count;  ///< of terms_
-    bool gradient;               ///< from velocities
+    StressRule rule;             ///< not adaptive
+    bool ofVelocity() const { return rule == StressRule::gradient || rule == StressRule::ratio; }
   };
   struct Term {
     std::uint32_t node;  ///< of nodes_
