@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "ContactLaws.h"
 #include "Minimiser.h"
 #include "RandomStream.h"
@@ -13,7 +14,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r0 = 15e-6;
+using namespace support;
 
 BondTable noBonds(const AgentStore& agents) {
   BondTable bonds;
@@ -52,8 +53,8 @@ TEST(RelaxationExtremes, CoincidingCentresComeApart) {
         MechanicsParameters p;
         p.contactLaw = law, p.minimiser = minimiser;
         AgentStore agents;
-        for (Index i = 0; i < count; ++i) agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r0);
-        const auto report = Relaxation(p, r0).relax(agents, noBonds(agents), {});
+        for (Index i = 0; i < count; ++i) agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r);
+        const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
         EXPECT_TRUE(report.converged) << law << ' ' << minimiser << ' ' << count;
         EXPECT_TRUE(allFinite(agents));
         // Thirty of them push each other no further than in a row.
@@ -71,7 +72,7 @@ AgentStore halfCompressedColumn(Index cells) {
   AgentStore agents;
   for (Index k = 0; k < cells; ++k) {
     const double spacings = 0.8 * std::min(k, cells / 2) + (k > cells / 2 ? k - cells / 2 : 0);
-    agents.append(AgentKind::smc, {0, 0, spacings * 2 * r0}, r0);
+    agents.append(AgentKind::smc, {0, 0, spacings * 2 * r}, r);
     agents.set(k, AgentFlag::fixed, k == 0 || k == cells - 1);
   }
   return agents;
@@ -80,11 +81,11 @@ AgentStore halfCompressedColumn(Index cells) {
 TEST(RelaxationExtremes, AColumnOfAThousandCompressedCellsStaysAColumn) {
   MechanicsParameters p;
   AgentStore agents = halfCompressedColumn(1000);
-  const auto report = Relaxation(p, r0).relax(agents, noBonds(agents), {});
+  const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
   EXPECT_TRUE(report.converged);
   double widest = 0, narrowest = 1;
   for (Index k = 1; k < agents.size(); ++k) {
-    const double spacing = (agents.z[k] - agents.z[k - 1]) / (2 * r0);
+    const double spacing = (agents.z[k] - agents.z[k - 1]) / (2 * r);
     widest = std::max(widest, spacing), narrowest = std::min(narrowest, spacing);
     ASSERT_EQ(agents.x[k], 0);
   }
@@ -98,7 +99,7 @@ TEST(RelaxationExtremes, AColumnOfAHundredSharesItsLoad) {
   p.tolerance = 1e-5;  // a hundred times this is still little against the force in the column
   AgentStore agents = halfCompressedColumn(100);
   const double even = agents.z[99] / 99;
-  Relaxation(p, r0).relax(agents, noBonds(agents), {});
+  Relaxation(p, r).relax(agents, noBonds(agents), {});
   for (Index k = 1; k < agents.size(); ++k) EXPECT_NEAR((agents.z[k] - agents.z[k - 1]) / even, 1, 1e-3) << k;
 }
 
@@ -107,19 +108,19 @@ TEST(RelaxationExtremes, ACellFarFromAllOthersStaysWhereItIs) {
     MechanicsParameters p;
     p.precision = precision;
     AgentStore agents;
-    for (int k = 0; k < 10; ++k) agents.append(AgentKind::smc, {k * 1.5 * r0, 0, 0}, r0);
+    for (int k = 0; k < 10; ++k) agents.append(AgentKind::smc, {k * 1.5 * r, 0, 0}, r);
     const Vec3 far(1.0, -2.0, 3.0);  // metres
-    const Index alone = agents.append(AgentKind::smc, far, r0);
-    Relaxation(p, r0).relax(agents, noBonds(agents), {});
+    const Index alone = agents.append(AgentKind::smc, far, r);
+    Relaxation(p, r).relax(agents, noBonds(agents), {});
     EXPECT_EQ(agents.position(alone), far) << precision;
-    EXPECT_GT(agents.x[9] - agents.x[0], 9 * 1.9 * r0);
+    EXPECT_GT(agents.x[9] - agents.x[0], 9 * 1.9 * r);
   }
 }
 
 TEST(RelaxationExtremes, OneAgentIsAtRest) {
   AgentStore agents;
-  agents.append(AgentKind::smc, {1e-4, 0, 0}, r0);
-  const auto report = Relaxation(MechanicsParameters{}, r0).relax(agents, noBonds(agents), {});
+  agents.append(AgentKind::smc, {1e-4, 0, 0}, r);
+  const auto report = Relaxation(MechanicsParameters{}, r).relax(agents, noBonds(agents), {});
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.iterations, 0);
   EXPECT_EQ(agents.position(0), Vec3(1e-4, 0, 0));
@@ -127,7 +128,7 @@ TEST(RelaxationExtremes, OneAgentIsAtRest) {
 
 TEST(RelaxationExtremes, NoAgentsAreAtRest) {
   AgentStore agents;
-  EXPECT_TRUE(Relaxation(MechanicsParameters{}, r0).relax(agents, noBonds(agents), {}).converged);
+  EXPECT_TRUE(Relaxation(MechanicsParameters{}, r).relax(agents, noBonds(agents), {}).converged);
 }
 
 /// A ball of agents a quarter of their size apart: each is far inside dozens of others.
@@ -137,7 +138,7 @@ AgentStore crushedBall() {
     for (int y = -3; y <= 3; ++y) {
       for (int x = -3; x <= 3; ++x) {
         RandomStream random(1, agents.nextId, 0, RandomPurpose::packing);
-        agents.append(AgentKind::smc, (Vec3(x, y, z) + 0.2 * random.direction()) * 0.5 * r0, r0);
+        agents.append(AgentKind::smc, (Vec3(x, y, z) + 0.2 * random.direction()) * 0.5 * r, r);
       }
     }
   }
@@ -152,11 +153,11 @@ TEST(RelaxationExtremes, ACrushedBallExplodesNoFurtherThanItsSizeAndNeverImplode
       MechanicsParameters p;
       p.contactLaw = law, p.minimiser = minimiser;
       AgentStore agents = crushedBall();
-      const auto report = Relaxation(p, r0).relax(agents, noBonds(agents), {});
+      const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
       EXPECT_TRUE(report.converged);
       EXPECT_GT(closest(agents), 0.9) << law << ' ' << minimiser;
       // 343 cells at the density of a loose packing fill a ball of 9 r; nobody is flung away.
-      EXPECT_LT(largestDistance(agents), 25 * r0) << law << ' ' << minimiser;
+      EXPECT_LT(largestDistance(agents), 25 * r) << law << ' ' << minimiser;
     }
   }
 }
@@ -167,9 +168,9 @@ TEST(RelaxationExtremes, SizesAHundredToOneComeApartToo) {
     p.contactLaw = law;
     p.maximumIterations = 100000;
     AgentStore agents;
-    agents.append(AgentKind::smc, Vec3::Zero(), 100 * r0);
-    agents.append(AgentKind::smc, {0.3 * r0, 0, 0}, r0);  // deep inside, past the pole
-    const auto report = Relaxation(p, r0).relax(agents, noBonds(agents), {});
+    agents.append(AgentKind::smc, Vec3::Zero(), 100 * r);
+    agents.append(AgentKind::smc, {0.3 * r, 0, 0}, r);  // deep inside, past the pole
+    const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
     EXPECT_TRUE(report.converged) << law;
     EXPECT_GT(closest(agents), 0.99) << law;
     EXPECT_LT(closest(agents), 1.01) << law;
@@ -183,7 +184,7 @@ TEST(RelaxationExtremes, StepsAHundredTimesTooLargeEndSomewhereOrSayWhatToChange
     p.stepLimit *= 100;
     AgentStore agents = crushedBall();
     try {
-      EXPECT_TRUE(Relaxation(p, r0).relax(agents, noBonds(agents), {}).converged);
+      EXPECT_TRUE(Relaxation(p, r).relax(agents, noBonds(agents), {}).converged);
     } catch (const RelaxationFailed& failure) {
       EXPECT_NE(std::string(failure.what()).find("mechanics.maximumIterations"), std::string::npos);
     }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "AtomicFile.h"
+#include "Constants.h"
 #include "LumenWriter.h"
 #include "ProfileCsv.h"
 #include "PvdSeries.h"
@@ -16,7 +17,7 @@ namespace restenosis {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using namespace support;
 
 Vec3 cylindrical(double r, double theta, double z) { return {r * std::cos(theta), r * std::sin(theta), z}; }
 

@@ -13,7 +13,6 @@ using namespace support;
 
 TEST(HertzNeoHookeanContact, IsThePublishedFormula) {
   const HertzNeoHookeanContact law(modulus);
-  constexpr double pi = std::numbers::pi;
   for (const double d : {0.01 * R, 0.5 * R, 2 * R, 4 * R}) {
     const double a = std::sqrt(R * d);
     const double published = 8 * a * a * a * modulus * (16 * a * a - 36 * pi * a * R + 27 * pi * pi * R * R) /

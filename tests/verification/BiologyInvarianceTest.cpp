@@ -7,13 +7,15 @@
 #include <tuple>
 
 #include "Biology.h"
+#include "Constants.h"
 #include "RandomPacking.h"
 #include "StateArchive.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double r = 15e-6;
+using namespace support;
+
 constexpr double side = 12 * r;
 
 using Cell = std::tuple<double, double, double, double, CycleState, int, double, double, unsigned, double>;

@@ -5,13 +5,13 @@
 #include <map>
 
 #include "CellCycle.h"
+#include "Constants.h"
 #include "Division.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double hour = 3600;
-constexpr double never = std::numeric_limits<double>::infinity();
+using namespace support;
 
 AgentStore syntheticCells(Index n) {
   AgentStore agents;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "Constants.h"
 #include "ContactLaws.h"
 #include "ForceField.h"
 #include "HertzContact.h"
@@ -15,7 +16,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double r0 = 15e-6;
+using namespace support;
 
 MechanicsParameters with(std::string_view law, std::string_view minimiser, double tolerance) {
   MechanicsParameters p;
@@ -25,8 +26,8 @@ MechanicsParameters with(std::string_view law, std::string_view minimiser, doubl
 }
 
 double lawForce(std::string_view law, const MechanicsParameters& p, double overlap) {
-  return law == HertzContact::name ? forceOf(HertzContact(p.contactModulus), overlap, r0 / 2)
-                                   : forceOf(HertzNeoHookeanContact(p.contactModulus), overlap, r0 / 2);
+  return law == HertzContact::name ? forceOf(HertzContact(p.contactModulus), overlap, r / 2)
+                                   : forceOf(HertzNeoHookeanContact(p.contactModulus), overlap, r / 2);
 }
 
 /// The root of a falling function.
@@ -43,17 +44,17 @@ TEST(Equilibrium, TwoBondedSpheresRestWhereContactBalancesTheBond) {
       AgentStore agents;
       const Vec3 direction = Vec3(1, 2, 2) / 3, centre(1e-4, 2e-4, 3e-4);
       for (const double side : {-1.0, 1.0})
-        agents.append(AgentKind::smc, centre + side * 0.95 * r0 * direction, r0);
+        agents.append(AgentKind::smc, centre + side * 0.95 * r * direction, r);
       BondTable bonds;
       bonds.resize(2);
-      const auto rest = static_cast<double>(static_cast<float>(1.6 * r0));
+      const auto rest = static_cast<double>(static_cast<float>(1.6 * r));
       bonds.connect(0, 1, rest);
-      Relaxation(p, r0).relax(agents, bonds, {});
+      Relaxation(p, r).relax(agents, bonds, {});
       const double expected = bisect(
           [&](double x) {
-            return lawForce(law, p, 2 * r0 - x) - p.bondModulus * (x - rest) / rest * 4 * r0 * r0;
+            return lawForce(law, p, 2 * r - x) - p.bondModulus * (x - rest) / rest * 4 * r * r;
           },
-          1.6 * r0, 2 * r0);
+          1.6 * r, 2 * r);
       const Vec3 apart = agents.position(1) - agents.position(0);
       EXPECT_NEAR(apart.norm() / expected, 1, 1e-6) << law << ' ' << minimiser;
       // Alone in space, so the axial mobility turns the pair; its centre may only move with the sum of
@@ -67,15 +68,15 @@ TEST(Equilibrium, SpheresPushedTogetherSeparateToTouchingAndAreNotFlungApart) {
   for (const auto minimiser : minimiserNames()) {
     const auto p = with("hertzNeoHookean", minimiser, 1e-7);
     AgentStore agents;
-    for (const double side : {-1.0, 1.0}) agents.append(AgentKind::smc, {0, side * 0.4 * r0, 0}, r0);
+    for (const double side : {-1.0, 1.0}) agents.append(AgentKind::smc, {0, side * 0.4 * r, 0}, r);
     BondTable bonds;
     bonds.resize(2);
-    Relaxation(p, r0).relax(agents, bonds, {});
+    Relaxation(p, r).relax(agents, bonds, {});
     const double distance = (agents.position(1) - agents.position(0)).norm();
-    // The force 8 C sqrt(R) d^1.5 is at the tolerance for d = 3.2e-5 r0. FIRE may take one last step of each
+    // The force 8 C sqrt(R) d^1.5 is at the tolerance for d = 3.2e-5 r. FIRE may take one last step of each
     // beyond touching.
-    EXPECT_GT(distance, (2 - 4e-5) * r0) << minimiser;
-    EXPECT_LT(distance, (2 + 2 * p.stepLimit) * r0) << minimiser;
+    EXPECT_GT(distance, (2 - 4e-5) * r) << minimiser;
+    EXPECT_LT(distance, (2 + 2 * p.stepLimit) * r) << minimiser;
   }
 }
 
@@ -84,22 +85,22 @@ TEST(Equilibrium, ACompressedChainSharesItsOverlapAndPushesAsTheLawSays) {
     for (const auto minimiser : minimiserNames()) {
       const auto p = with(law, minimiser, 1e-7);
       const int spheres = 12;
-      const double spacing = 1.7 * r0;
+      const double spacing = 1.7 * r;
       AgentStore agents;
       for (int k = 0; k < spheres; ++k) {
         RandomStream random(4, k, 0, RandomPurpose::packing);
         const bool end = k == 0 || k == spheres - 1;
-        agents.append(AgentKind::smc, {k * spacing + (end ? 0 : 0.2 * r0 * (random.uniform() - 0.5)), 0, 0},
-                      r0);
+        agents.append(AgentKind::smc, {k * spacing + (end ? 0 : 0.2 * r * (random.uniform() - 0.5)), 0, 0},
+                      r);
         agents.set(k, AgentFlag::fixed, end);
       }
       BondTable bonds;
       bonds.resize(agents.size());
-      Relaxation(p, r0).relax(agents, bonds, {});
+      Relaxation(p, r).relax(agents, bonds, {});
       for (int k = 0; k < spheres; ++k)
-        EXPECT_NEAR(agents.x[k], k * spacing, 1e-5 * r0) << law << ' ' << minimiser;
+        EXPECT_NEAR(agents.x[k], k * spacing, 1e-5 * r) << law << ' ' << minimiser;
       const double force = -ForceField(p).evaluate(agents, bonds)[0].fx;
-      EXPECT_NEAR(force / lawForce(law, p, 0.3 * r0), 1, 1e-5);
+      EXPECT_NEAR(force / lawForce(law, p, 0.3 * r), 1, 1e-5);
     }
   }
 }
@@ -107,21 +108,21 @@ TEST(Equilibrium, ACompressedChainSharesItsOverlapAndPushesAsTheLawSays) {
 TEST(Equilibrium, AStretchedBondedChainHasTheModulusOfItsBonds) {
   const auto p = with("hertzNeoHookean", "fire", 1e-6);
   const int spheres = 12;
-  const double rest = 2 * r0, strain = 0.1;
+  const double rest = 2 * r, strain = 0.1;
   AgentStore agents;
   for (int k = 0; k < spheres; ++k) {
     // All of the stretch in the last bond to begin with.
     agents.append(AgentKind::smc, {0, 0, k * rest + (k == spheres - 1 ? (spheres - 1) * strain * rest : 0)},
-                  r0);
+                  r);
     agents.set(k, AgentFlag::fixed, k == 0 || k == spheres - 1);
   }
   BondTable bonds;
   bonds.resize(agents.size());
   for (int k = 1; k < spheres; ++k) bonds.connect(k - 1, k, rest);
-  Relaxation(p, r0).relax(agents, bonds, {});
+  Relaxation(p, r).relax(agents, bonds, {});
   for (int k = 1; k < spheres; ++k) EXPECT_NEAR((agents.z[k] - agents.z[k - 1]) / rest, 1 + strain, 1e-5);
   const double force = ForceField(p).evaluate(agents, bonds)[0].fz;
-  EXPECT_NEAR(force / (p.bondModulus * strain * 4 * r0 * r0), 1, 1e-5);
+  EXPECT_NEAR(force / (p.bondModulus * strain * 4 * r * r), 1, 1e-5);
 }
 
 /// A bonded block of agents on a disturbed face-centred lattice between two fixed layers.
@@ -130,13 +131,13 @@ struct Block {
   BondTable bonds;
 
   explicit Block(int n) {
-    const double spacing = 1.9 * r0 / std::sqrt(2.0);
+    const double spacing = 1.9 * r / std::sqrt(2.0);
     for (int z = 0; z < n; ++z) {
       for (int y = 0; y < n; ++y) {
         for (int x = (y + z) % 2; x < n; x += 2) {
           RandomStream random(1, agents.nextId, 0, RandomPurpose::packing);
-          const Vec3 noise = 0.1 * r0 * random.uniform() * random.direction();
-          agents.set(agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r0), AgentFlag::fixed,
+          const Vec3 noise = 0.1 * r * random.uniform() * random.direction();
+          agents.set(agents.append(AgentKind::smc, Vec3(x, y, z) * spacing + noise, r), AgentFlag::fixed,
                      z == 0 || z == n - 1);
         }
       }
@@ -145,7 +146,7 @@ struct Block {
     for (Index i = 0; i < agents.size(); ++i) {
       for (Index j = 0; j < i; ++j) {
         const double distance = (agents.position(i) - agents.position(j)).norm();
-        if (distance < 2.1 * r0) bonds.connect(i, j, distance);
+        if (distance < 2.1 * r) bonds.connect(i, j, distance);
       }
     }
   }
@@ -165,9 +166,9 @@ TEST(Equilibrium, IsTheSameByBothMinimisersAndAnyAxialFactor) {
         auto p = with(law, minimiser, 1e-5);
         p.axialForceFactor = axialFactor;
         Block block(10);
-        Relaxation(p, r0).relax(block.agents, block.bonds, {});
+        Relaxation(p, r).relax(block.agents, block.bonds, {});
         if (reference.size() == 0) reference = block.agents;
-        EXPECT_LT(largestDifference(reference, block.agents), 1e-3 * r0)
+        EXPECT_LT(largestDifference(reference, block.agents), 1e-3 * r)
             << law << ' ' << minimiser << ' ' << axialFactor;
       }
     }
@@ -178,7 +179,7 @@ TEST(Equilibrium, OfAGrowingCellIsTheSameWithSleepersAndWithout) {
   // At the tolerance of a run only the surroundings of the grown cell wake; at a thousandth of it the whole
   // block does.
   Block block(16);
-  Relaxation exact(with("hertzNeoHookean", "fire", 1e-5), r0);
+  Relaxation exact(with("hertzNeoHookean", "fire", 1e-5), r);
   exact.relax(block.agents, block.bonds, {});
   const Index grown = block.agents.size() / 2 + 4;
   ASSERT_FALSE(block.agents.has(grown, AgentFlag::fixed));
@@ -186,7 +187,7 @@ TEST(Equilibrium, OfAGrowingCellIsTheSameWithSleepersAndWithout) {
 
   Block lazy = block;
   const auto lazyReport =
-      Relaxation(with("hertzNeoHookean", "fire", 0.01), r0).relax(lazy.agents, lazy.bonds, {});
+      Relaxation(with("hertzNeoHookean", "fire", 0.01), r).relax(lazy.agents, lazy.bonds, {});
   const AgentStore before = block.agents;
   const auto exactReport = exact.relax(block.agents, block.bonds, {});
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "Constants.h"
 #include "LumenSurface.h"
 #include "RadialMap.h"
 #include "SphereWall.h"
@@ -14,8 +15,7 @@
 namespace restenosis {
 namespace {
 
-constexpr double um = 1e-6;
-constexpr double pi = std::numbers::pi;
+using namespace support;
 
 TEST(LumenSurfaceVerification, SmoothLumenConvergesWithSecondOrder) {
   const double radius = 1, amplitude = 0.2, length = 2;
