@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What deployment does to the wall: how far agents move along the vessel, how much they overlap, how thick the media is.
+"""What deployment does to the wall: how far agents move along it, how much they overlap, how thick the media is.
 
     /usr/bin/python3 docs/results/deployed.py PACKED DEPLOYED
 
@@ -18,6 +18,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 KINDS = {0: "SMC", 1: "IEL", 2: "EEL"}
 STRUT = 3
 NEIGHBOURS = 14
+CYLINDER = 900  # [um]; the lumen's radius before deployment
 
 
 class Wall:
@@ -42,8 +43,10 @@ class Wall:
     def array(data, name):
         return vtk_to_numpy(data.GetPointData().GetArray(name))
 
-    def unrolled(self, agents, radius):
-        return numpy.column_stack([radius * self.angle[agents], self.centre[agents, 2]])
+    def onto_cylinder(self, agents):
+        """Where agents are on a cylinder of the same radius for all, so that radial distances do not count."""
+        angle = self.angle[agents]
+        return numpy.column_stack([CYLINDER * numpy.cos(angle), CYLINDER * numpy.sin(angle), self.centre[agents, 2]])
 
 
 def axial_shift(packed, deployed):
@@ -73,14 +76,13 @@ def overlaps(name, wall):
         print(f"  {label:<20}{p[0]:9.3f}{p[1]:7.3f}{p[2]:9.3f}{touching.max():9.3f}")
 
 
-def media(name, wall, struts, half_width):
+def media(name, wall, struts, under):
     """Distance of the laminae across the wall: each IEL agent's radius from the mean radius of the EEL near it."""
-    radius = numpy.median(wall.radius[wall.kind == 1])
     iel, eel = numpy.flatnonzero(wall.kind == 1), numpy.flatnonzero(wall.kind == 2)
-    near = cKDTree(wall.unrolled(eel, radius)).query(wall.unrolled(iel, radius), k=4)[1]
+    near = cKDTree(wall.onto_cylinder(eel)).query(wall.onto_cylinder(iel), k=4)[1]
     thickness = wall.radius[eel][near].mean(axis=1) - wall.radius[iel]
-    to_strut = cKDTree(struts).query(wall.unrolled(iel, radius))[0]
-    for chosen, label in [(to_strut < half_width, "under struts"), (to_strut > 300, "300 um away from struts")]:
+    to_strut = cKDTree(struts).query(wall.onto_cylinder(iel))[0]
+    for chosen, label in [(to_strut < under, "under struts"), (to_strut > 300, "300 um away from struts")]:
         if chosen.any():
             p = numpy.percentile(thickness[chosen], [5, 50, 95])
             print(f"  {name:<10}{label:<26}{p[0]:8.1f}{p[1]:8.1f}{p[2]:8.1f}   of {chosen.sum()} IEL agents")
@@ -92,12 +94,11 @@ def main():
     overlaps("packed", packed)
     overlaps("deployed", deployed)
     of_strut = numpy.flatnonzero(deployed.kind == STRUT)
-    half_width = 2 * numpy.median(deployed.size[of_strut])
-    radius = numpy.median(deployed.radius[deployed.kind == 1])
-    struts = deployed.unrolled(of_strut, radius)
+    under = 2 * numpy.median(deployed.size[of_strut])  # from the middle of an agent of a strut
+    struts = deployed.onto_cylinder(of_strut)
     print("IEL to EEL [um]                         5 %  median    95 %")
-    media("packed", packed, struts, half_width)
-    media("deployed", deployed, struts, half_width)
+    media("packed", packed, struts, under)
+    media("deployed", deployed, struts, under)
 
 
 if __name__ == "__main__":
