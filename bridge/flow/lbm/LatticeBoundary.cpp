@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 namespace restenosis {
@@ -83,28 +82,29 @@ class BoundaryMaker {
   }
 
   void addWall(const SurfaceLink& link, bool inlet) {
-    LatticeBoundary::WallLink wall{near(link), far(link), near(link), near(link), 0.0, 0.0};
+    LatticeBoundary::WallLink wall{link.node, link.direction, 0, 0.0, 0.0};
     // Without a node behind (a gap one node wide) the wall is taken to be half a link away
     double q = 0.5;
     if (rule_ == WallRule::interpolated) {
-      Step here = link.coordinates, behind = moved(here, d3q19::opposite(link.direction));
+      const int opposite = d3q19::opposite(link.direction);
+      const Step behind = moved(link.coordinates, opposite);
       bool interpolable = link.interpolable;
       if (behind[2] < 0 || behind[2] >= layout_.size()[2]) {
         if (ends_.inlet == LatticeEnds::Inlet::periodic) {
-          behind = wrapped(behind);
-          interpolable = fluidAt_.contains(layout_.place(behind));
+          interpolable = fluidAt_.contains(layout_.place(wrapped(behind)));
         } else {
           // Beyond an end the flow goes on as before: what is one layer further in stands for it
-          here[2] += d3q19::c[link.direction][2];
-          behind[2] += d3q19::c[link.direction][2];
-          interpolable = joined(here, d3q19::opposite(link.direction));
+          wall.inward = static_cast<std::int8_t>(d3q19::c[link.direction][2]);
+          Step here = link.coordinates;
+          here[2] += wall.inward;
+          interpolable = joined(here, opposite);
         }
       }
       if (interpolable) {
         q = link.q;
-        wall.behind = slot(layout_.place(behind), d3q19::opposite(link.direction));
-        wall.here = slot(layout_.place(here), link.direction);
         wall.k = (1.0 - 2.0 * q) / (1.0 + 2.0 * q);
+      } else {
+        wall.inward = 0;
       }
     }
     if (inlet) wall.source = inletSource(link, q);
@@ -131,22 +131,19 @@ class BoundaryMaker {
   }
 
   void addPressure(const SurfaceLink& link, bool outlet) {
+    const int inward = -d3q19::c[link.direction][2];
     Step inner = link.coordinates;
-    inner[2] -= d3q19::c[link.direction][2];
+    inner[2] += inward;
     if (!fluidAt_.contains(layout_.place(inner))) {  // a spur of the lumen that ends here
       addWall(link, false);
       return;
     }
-    const auto [entry, isNew] =
-        pressureNode_.try_emplace(link.node, static_cast<std::uint32_t>(result_.pressureNodes.size()));
-    if (isNew) {
-      LatticeBoundary::PressureNode node{layout_.place(inner), outlet, {}};
-      for (int i = 0; i < d3q19::directions; ++i)
-        node.neighbour[static_cast<std::size_t>(i)] = layout_.place(moved(inner, i));
-      result_.pressureNodes.push_back(node);
-    }
-    const double density = outlet ? 0.0 : ends_.inletDensity;
-    result_.pressure.push_back({near(link), far(link), entry->second, link.direction, density});
+    auto& nodes = result_.pressureNodes;
+    const auto [entry, isNew] = pressureNode_.try_emplace({link.node, outlet}, nodes.size());
+    if (isNew)
+      nodes.push_back(
+          {link.node, static_cast<std::int8_t>(inward), outlet, 0, outlet ? 0.0 : ends_.inletDensity});
+    nodes[entry->second].links |= std::uint32_t{1} << link.direction;
   }
 
   void addPassage(const SurfaceLink& link) {
@@ -181,7 +178,7 @@ class BoundaryMaker {
   WallRule rule_;
   const LatticeEnds& ends_;
   FluidPlaces fluidAt_;
-  std::unordered_map<std::uint32_t, std::uint32_t> pressureNode_;
+  std::map<std::pair<std::uint32_t, bool>, std::size_t> pressureNode_;
   LatticeBoundary result_;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -27,36 +26,32 @@ struct LatticeEnds {
 
 /// Everything that the surface does to populations, as places in storage. Slot i of a place holds the
 /// population that arrives there in direction i, before an even step; see LatticeFlow for the slots between
-/// steps.
-///
-/// A population that leaves node x towards the surface in direction i is found, after an even step, in slot
-/// `near` (place x, opposite direction) and is expected by the next step in slot `far` (place x + c_i,
-/// direction i); after an odd step the other way round. Rules of links therefore read one and write the
-/// other.
+/// steps. Links of walls and pressures leave a fluid node in a direction; what comes back arrives at that
+/// node in the opposite one.
 struct LatticeBoundary {
-  /// far = near + k (behind - here) + source after an even step, near = far - k (behind - here) + source
-  /// after an odd one: central linear interpolation (Ginzburg et al. 2008) with k = (1 - 2q) / (1 + 2q); 0 is
-  /// bounce-back.
+  /// Back comes what left towards the wall, and k times the difference of what arrives in the link's
+  /// direction and what left in the opposite one: central linear interpolation (Ginzburg et al. 2008) with k
+  /// = (1 - 2q) / (1 + 2q); 0 is bounce-back. That difference is taken at the node, or `inward` in z of it
+  /// where nothing arrives at the node itself.
   struct WallLink {
-    std::uint32_t near, far, behind, here;
+    std::uint32_t node;  ///< place
+    std::uint8_t direction;
+    std::int8_t inward;
     double k, source;
   };
-  /// A surface thinner than a link, between two fluid nodes: both bounce back.
+  /// A surface thinner than a link, between two fluid nodes: both bounce back. Slots of the two.
   struct ThinLink {
     std::uint32_t a, b;
   };
   /// A given pressure at an end: what comes in is what comes in at the node one layer further in, with the
   /// density changed so that the line through both layers meets the given one on the plane of the end, half a
   /// spacing out. Developed flow leaves unchanged (non-equilibrium extrapolation, Guo et al. 2002).
-  struct PressureLink {
-    std::uint32_t near, far, node;  ///< node: of pressureNodes
-    std::uint8_t direction;
-    double density;
-  };
   struct PressureNode {
-    std::uint32_t inner;  ///< place of the node one layer further in
+    std::uint32_t node;  ///< place, next to the end
+    std::int8_t inward;  ///< step in z to the node further in
     bool outlet;
-    std::array<std::uint32_t, 19> neighbour;  ///< places of inner + c_i
+    std::uint32_t links;  ///< bit i: the link in direction i leads through the end
+    double density;       ///< departure from 1
   };
   /// A population that leaves at one end and enters at the other: from -> to after a step of that parity.
   struct Passage {
@@ -65,11 +60,10 @@ struct LatticeBoundary {
 
   std::vector<WallLink> wall;
   std::vector<ThinLink> thin;
-  std::vector<PressureLink> pressure;
   std::vector<PressureNode> pressureNodes;
   /// The sum of u_z over those inner nodes of the outlet in the steady state. Sound leaves through the outlet
   /// instead of being thrown back by a fixed pressure: the outlet's density follows the outflow's departure
-  /// from this sum, as in a plane wave, and is 0 once they agree. Not used where negative.
+  /// from this sum, as in a plane wave, and is 0 once they agree. Not used where negative, nor with a force.
   double expectedOutflow = -1.0;
   std::vector<Passage> passages;
 };

@@ -2,7 +2,6 @@
 
 #include <omp.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -60,41 +59,16 @@ LatticeFlow<Real>::LatticeFlow(const ColumnLayout& layout, LatticeBoundary bound
                                const LatticeRelaxation& relaxation)
     : layout_(layout),
       relaxation_(relaxation),
-      boundary_(std::move(boundary)),
+      links_(layout, boundary),
+      thin_(std::move(boundary.thin)),
+      passages_(std::move(boundary.passages)),
       shares_(portions(layout.runs())) {
   collision_.evenRate = static_cast<Real>(1.0 / relaxation.tau);
   collision_.oddRate = static_cast<Real>(1.0 / relaxation.oddTau());
   for (std::size_t d = 0; d < 3; ++d)
     collision_.force[d] = static_cast<Real>(relaxation.force[static_cast<int>(d)]);
   forced_ = !relaxation.force.isZero();
-  wall_.reserve(boundary_.wall.size());
-  for (const auto& l : boundary_.wall)
-    wall_.push_back({l.near, l.far, l.behind, l.here, static_cast<Real>(l.k), static_cast<Real>(l.source)});
-  boundary_.wall = {};
-  ends_.resize(boundary_.pressureNodes.size());
-  for (const auto& node : boundary_.pressureNodes) outletNodes_ += node.outlet ? 1 : 0;
-  if (!ends_.empty()) findEndsOfRuns();
   allocate();
-}
-
-template <class Real>
-void LatticeFlow<Real>::findEndsOfRuns() {
-  const auto& runs = layout_.runs();
-  std::vector<std::vector<EndOfRun>> of(runs.size());
-  for (std::size_t n = 0; n < boundary_.pressureNodes.size(); ++n) {
-    const std::uint32_t inner = boundary_.pressureNodes[n].inner;
-    // Runs follow each other in the order of their places
-    const auto after =
-        std::upper_bound(runs.begin(), runs.end(), inner,
-                         [](std::uint32_t place, const NodeRun& r) { return place < r.first; });
-    const auto run = static_cast<std::size_t>(after - runs.begin()) - 1;
-    of[run].push_back({inner - runs[run].first, static_cast<std::uint32_t>(n)});
-  }
-  for (const auto& ends : of) {
-    firstEnd_.push_back(static_cast<std::uint32_t>(endsOfRuns_.size()));
-    endsOfRuns_.insert(endsOfRuns_.end(), ends.begin(), ends.end());
-  }
-  firstEnd_.push_back(static_cast<std::uint32_t>(endsOfRuns_.size()));
 }
 
 template <class Real>
@@ -135,118 +109,72 @@ void LatticeFlow<Real>::initialise(const std::function<NodeState(std::uint32_t)>
 }
 
 template <class Real>
-void LatticeFlow<Real>::collide(std::size_t index, Parity parity) {
+Slots<Real> LatticeFlow<Real>::slots(std::size_t index, Parity parity) const {
   const NodeRun& run = layout_.runs()[index];
-  Real* slots[d3q19::directions];
+  Slots<Real> result;
   for (int i = 0; i < d3q19::directions; ++i) {
     const auto& c = d3q19::c[static_cast<std::size_t>(i)];
-    slots[i] = parity == Parity::even
-                   ? populations_.get() + slot(run.first, i)
-                   : populations_.get() +
-                         slot(layout_.place(run.x - c[0], run.y - c[1], run.z - c[2]), d3q19::opposite(i));
+    const std::uint32_t first =
+        parity == Parity::even
+            ? slot(run.first, i)
+            : slot(layout_.place(run.x - c[0], run.y - c[1], run.z - c[2]), d3q19::opposite(i));
+    result[static_cast<std::size_t>(i)] = populations_.get() + first;
   }
+  return result;
+}
+
+template <class Real>
+void LatticeFlow<Real>::step(std::size_t run, Parity parity, bool first) {
+  const Slots<Real> at = slots(run, parity);
+  if (!first) links_.arrive(run, at);
+  const std::uint32_t count = layout_.runs()[run].count;
   if (forced_)
-    collideRun<Real, true>(slots, run.count, collision_);
+    collideRun<Real, true>(at.data(), count, collision_);
   else
-    collideRun<Real, false>(slots, run.count, collision_);
-  if (!firstEnd_.empty()) takeEnds(index, slots);
-}
-
-template <class Real>
-void LatticeFlow<Real>::takeEnds(std::size_t run, Real* const* slots) {
-  for (std::uint32_t e = firstEnd_[run]; e < firstEnd_[run + 1]; ++e) {
-    // Collisions keep the density and add the force; where a population arrived, its opposite leaves.
-    double density = 0.0, momentum = 0.0;
-    for (int i = 0; i < d3q19::directions; ++i) {
-      const auto f = static_cast<double>(slots[i][endsOfRuns_[e].offset]);
-      density += f;
-      momentum -= f * d3q19::c[static_cast<std::size_t>(i)][2];
-    }
-    ends_[endsOfRuns_[e].node] = {density, momentum - 0.5 * relaxation_.force.z()};
-  }
+    collideRun<Real, false>(at.data(), count, collision_);
+  links_.keep(run, at);
 }
 
 template <class Real>
 template <typename LatticeFlow<Real>::Parity parity>
-Real LatticeFlow<Real>::arriving(const LatticeBoundary::PressureNode& node, int direction) const {
-  const int opposite = d3q19::opposite(direction);
-  return populations_[parity == Parity::even
-                          ? slot(node.neighbour[static_cast<std::size_t>(opposite)], opposite)
-                          : slot(node.inner, direction)];
-}
-
-template <class Real>
-template <typename LatticeFlow<Real>::Parity parity>
-void LatticeFlow<Real>::applyPressure() {
-  if (boundary_.expectedOutflow >= 0.0) {
-#pragma omp single
-    {
-      double outflow = 0.0;  // one after the other, so that the sum does not depend on the threads
-      for (std::size_t n = 0; n < ends_.size(); ++n)
-        if (boundary_.pressureNodes[n].outlet) outflow += ends_[n].velocity;
-      // A plane wave that leaves: p = u times the speed of sound 1 / sqrt(3), and 3 p is the density's
-      // departure
-      outletDensity_ =
-          std::sqrt(3.0) * (outflow - boundary_.expectedOutflow) / static_cast<double>(outletNodes_);
-    }
-  }
-#pragma omp for schedule(static)
-  for (std::size_t n = 0; n < boundary_.pressure.size(); ++n) {
-    const auto& link = boundary_.pressure[n];
-    const auto& node = boundary_.pressureNodes[link.node];
-    const int incoming = d3q19::opposite(link.direction);
-    const double onPlane = link.density + (node.outlet ? outletDensity_ : 0.0);
-    const double change = 2.0 / 3.0 * (onPlane - ends_[link.node].density);
-    populations_[parity == Parity::even ? link.far : link.near] =
-        arriving<parity>(node, incoming) + static_cast<Real>(d3q19::weight(link.direction) * change);
-  }
-}
-
-template <class Real>
-template <typename LatticeFlow<Real>::Parity parity>
-void LatticeFlow<Real>::applyBoundary() {
+void LatticeFlow<Real>::joinEnds() {
   Real* const f = populations_.get();
-  if (!boundary_.passages.empty()) {
+  if (!passages_.empty()) {
 #pragma omp for schedule(static)
-    for (std::size_t n = 0; n < boundary_.passages.size(); ++n) {
-      const auto& p = boundary_.passages[n];
+    for (std::size_t n = 0; n < passages_.size(); ++n) {
+      const auto& p = passages_[n];
       if constexpr (parity == Parity::even)
         f[p.evenTo] = f[p.evenFrom];
       else
         f[p.oddTo] = f[p.oddFrom];
     }
   }
+  if (!thin_.empty()) {
 #pragma omp for schedule(static)
-  for (std::size_t n = 0; n < wall_.size(); ++n) {
-    const WallLink& l = wall_[n];
-    const Real correction = l.k * (f[l.behind] - f[l.here]);
-    if constexpr (parity == Parity::even)
-      f[l.far] = f[l.near] + correction + l.source;
-    else
-      f[l.near] = f[l.far] - correction + l.source;
+    for (std::size_t n = 0; n < thin_.size(); ++n) std::swap(f[thin_[n].a], f[thin_[n].b]);
   }
-  if (!boundary_.thin.empty()) {
-#pragma omp for schedule(static)
-    for (std::size_t n = 0; n < boundary_.thin.size(); ++n)
-      std::swap(f[boundary_.thin[n].a], f[boundary_.thin[n].b]);
-  }
-  if (!boundary_.pressure.empty()) applyPressure<parity>();
+#pragma omp single
+  links_.releaseSound();
 }
 
 template <class Real>
 void LatticeFlow<Real>::advance(int pairs) {
+  if (pairs == 0) return;
   const std::size_t portionCount = shares_.size() - 1;
 #pragma omp parallel
-  for (int pair = 0; pair < pairs; ++pair) {
-    const auto sweep = [&](Parity parity) {
+  {
+    const auto everyRun = [&](const auto& act) {
 #pragma omp for schedule(dynamic, 1)
       for (std::size_t portion = 0; portion < portionCount; ++portion)
-        for (std::size_t r = shares_[portion]; r < shares_[portion + 1]; ++r) collide(r, parity);
+        for (std::size_t r = shares_[portion]; r < shares_[portion + 1]; ++r) act(r);
     };
-    sweep(Parity::even);
-    applyBoundary<Parity::even>();
-    sweep(Parity::odd);
-    applyBoundary<Parity::odd>();
+    for (int pair = 0; pair < pairs; ++pair) {
+      everyRun([&](std::size_t r) { step(r, Parity::even, pair == 0); });
+      joinEnds<Parity::even>();
+      everyRun([&](std::size_t r) { step(r, Parity::odd, false); });
+      joinEnds<Parity::odd>();
+    }
+    everyRun([&](std::size_t r) { links_.arrive(r, slots(r, Parity::even)); });
   }
 }
 

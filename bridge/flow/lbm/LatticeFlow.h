@@ -9,6 +9,7 @@
 #include "Collision.h"
 #include "LatticeBoundary.h"
 #include "LumenLattice.h"
+#include "RunLinks.h"
 
 namespace restenosis {
 
@@ -37,7 +38,8 @@ struct NodeState {
 /// own slots and leaves each in the slot of its opposite; an odd step takes them from the neighbours' slots,
 /// where the even step left them, and leaves them in the neighbours' slots, where the next even step takes
 /// them from. Every slot is read and written by one node only, so the order of nodes and threads changes
-/// nothing. The surface acts between steps, on the slots of its links (LatticeBoundary).
+/// nothing. The surface acts between steps, on the slots of its links (LatticeBoundary): walls and pressures
+/// run by run (RunLinks), the others when a step is done everywhere.
 class LatticeFlowBase {
  public:
   virtual ~LatticeFlowBase() = default;
@@ -68,27 +70,18 @@ class LatticeFlow : public LatticeFlowBase {
   double bytesPerNode() const { return 2.0 * d3q19::directions * sizeof(Real); }
 
  private:
-  struct WallLink {
-    std::uint32_t near, far, behind, here;
-    Real k, source;
-  };
   struct Free {
     void operator()(Real* p) const;
   };
   enum class Parity { even, odd };
 
   void allocate();
-  void collide(std::size_t run, Parity parity);
-  void findEndsOfRuns();
-  /// Density and velocity at the inner nodes of the ends in a run, from what leaves them after their
-  /// collision.
-  void takeEnds(std::size_t run, Real* const* slots);
+  /// Where the populations of a run arrive for a step of that parity.
+  Slots<Real> slots(std::size_t run, Parity parity) const;
+  void step(std::size_t run, Parity parity, bool first);
+  /// What the surface does after a step has been done by all runs.
   template <Parity parity>
-  void applyBoundary();
-  template <Parity parity>
-  void applyPressure();
-  template <Parity parity>
-  Real arriving(const LatticeBoundary::PressureNode& node, int direction) const;
+  void joinEnds();
   std::uint32_t slot(std::uint32_t place, int direction) const {
     return static_cast<std::uint32_t>(direction) * layout_.places() + place;
   }
@@ -97,20 +90,9 @@ class LatticeFlow : public LatticeFlowBase {
   LatticeRelaxation relaxation_;
   Collision<Real> collision_;
   bool forced_;
-  std::vector<WallLink> wall_;
-  LatticeBoundary boundary_;  // all but the wall links
-  struct EndState {
-    double density, velocity;
-  };
-  std::vector<EndState> ends_;  // of boundary_.pressureNodes, at their inner nodes, before the last collision
-  struct EndOfRun {
-    std::uint32_t offset;  // of the inner node in its run
-    std::uint32_t node;    // of boundary_.pressureNodes
-  };
-  std::vector<EndOfRun> endsOfRuns_;     // those of run r: from firstEnd_[r] to below firstEnd_[r + 1]
-  std::vector<std::uint32_t> firstEnd_;  // empty without pressure nodes
-  double outletDensity_ = 0.0;
-  std::size_t outletNodes_ = 0;
+  RunLinks<Real> links_;
+  std::vector<LatticeBoundary::ThinLink> thin_;
+  std::vector<LatticeBoundary::Passage> passages_;
   std::vector<std::size_t> shares_;  // runs in portions of about equal numbers of nodes
   std::unique_ptr<Real[], Free> populations_;
 };
