@@ -32,7 +32,7 @@ World::World(const Scene& s, const ResultsFolder& f, Progress& p)
 void World::takeLumen() {
   if (hasLoadedLumen()) return;  // it never changes, and has no axis to see it from
   auto measurement = timer.measure("surface");
-  surface_.reset();
+  forgetLumen();
   if (!scene.hasTissue()) {
     field_ = idealLumen(scene.vessel, scene.coupling.surfaceResolution);
     lumen.present = RadialMap(*field_);
@@ -51,15 +51,20 @@ void World::updateLumen() {
   if (lumen.afterDeployment.planes() == 0) lumen.afterDeployment = lumen.present;
 }
 
+void World::forgetLumen() {
+  field_.reset();
+  if (!hasLoadedLumen()) surface_.reset();
+}
+
 const TriSurface& World::lumenSurface() {
+  if (surface_) return *surface_;
   if (!field_) takeLumen();
-  if (!surface_) {
-    auto measurement = timer.measure("surface");
-    if (hasLoadedLumen())
-      surface_ = loadLumen(scene.vessel);
-    else
-      surface_ = scene.hasTissue() ? extractSurface(*field_) : cylinderSurface(scene.vessel);
-  }
+  auto measurement = timer.measure("surface");
+  if (hasLoadedLumen())
+    surface_ = loadLumen(scene.vessel);
+  else
+    surface_ = scene.hasTissue() ? extractSurface(*field_) : cylinderSurface(scene.vessel);
+  field_.reset();
   return *surface_;
 }
 

@@ -91,6 +91,8 @@ struct World {
   const TriSurface& lumenSurface();
   /// Takes the lumen's shape from the present agents.
   void updateLumen();
+  /// Agents are about to move: what was taken of the lumen to make its surface is given back.
+  void forgetLumen();
   /// Whether the lumen is a surface from a file. It has no radial map: LumenState stays empty.
   bool hasLoadedLumen() const { return !scene.vessel.lumenSurface.empty(); }
   /// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
@@ -104,8 +106,8 @@ struct World {
  private:
   void takeLumen();
 
-  std::optional<LumenField> field_;
-  std::optional<TriSurface> surface_;  ///< of field_, or loaded; made when it is asked for
+  std::optional<LumenField> field_;    ///< until the surface is made
+  std::optional<TriSurface> surface_;  ///< of the field, or loaded; made when it is asked for
 };
 
 /// The settings of a scene's biology.

@@ -45,10 +45,13 @@ void wallOff(GridField& field, double outerRadius, double clip) {
 
 }  // namespace
 
-LumenField::LumenField(GridField tissue, GridField strut, bool hasStrut, double jointWidth)
-    : lumen_(tissue), tissue_(std::move(tissue)), strut_(std::move(strut)), hasStrut_(hasStrut) {
-  if (hasStrut_) uniteRounded(lumen_, strut_, jointWidth);
-  topology_ = keepLumen(lumen_, hasStrut_ ? &strut_ : nullptr);
+LumenField::LumenField(GridField tissue, std::optional<GridField> strut, double jointWidth)
+    : lumen_(std::move(tissue)) {
+  if (strut) {
+    parts_ = Parts{lumen_, std::move(*strut)};
+    uniteRounded(lumen_, parts_->strut, jointWidth);
+  }
+  topology_ = keepLumen(lumen_, parts_ ? &parts_->strut : nullptr);
 }
 
 LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const StrutSegment> struts,
@@ -67,11 +70,12 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
     tissue = closeByBall(tissue, settings.smoothing, clip);
     blur(tissue, settings.blurFraction * settings.smoothing);
   }
-  const bool hasStrut = !struts.empty() || !obstacles.strut.empty();
-  GridField strut = !struts.empty() ? strutDistance(grid, struts, clip)
-                    : hasStrut      ? sphereDistance(grid, obstacles.strut, clip)
-                                    : GridField(grid, static_cast<float>(clip));
-  return {std::move(tissue), std::move(strut), hasStrut, settings.jointWidth * h};
+  std::optional<GridField> strut;
+  if (!struts.empty())
+    strut = strutDistance(grid, struts, clip);
+  else if (!obstacles.strut.empty())
+    strut = sphereDistance(grid, obstacles.strut, clip);
+  return {std::move(tissue), std::move(strut), settings.jointWidth * h};
 }
 
 LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& distance, double length,
@@ -82,12 +86,11 @@ LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& di
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
         field.values[grid.index(i, j, k)] = static_cast<float>(distance(grid.node(i, j, k)));
-  GridField noStrut(grid, static_cast<float>(halfWidth));
-  return {std::move(field), std::move(noStrut), false, 0.0};
+  return {std::move(field), std::nullopt, 0.0};
 }
 
 bool LumenField::isStrut(const Vec3& point) const {
-  return hasStrut_ && std::abs(strut_.at(point)) < std::abs(tissue_.at(point));
+  return parts_ && std::abs(parts_->strut.at(point)) < std::abs(parts_->tissue.at(point));
 }
 
 }  // namespace restenosis

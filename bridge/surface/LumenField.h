@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "AgentStore.h"
@@ -53,10 +54,15 @@ class LumenField {
   const LumenTopology& topology() const { return topology_; }
 
  private:
-  LumenField(GridField tissue, GridField strut, bool hasStrut, double jointWidth);
+  LumenField(GridField tissue, std::optional<GridField> strut, double jointWidth);
 
-  GridField lumen_, tissue_, strut_;
-  bool hasStrut_;
+  /// Distances to either, kept where there are struts.
+  struct Parts {
+    GridField tissue, strut;
+  };
+
+  GridField lumen_;
+  std::optional<Parts> parts_;
   LumenTopology topology_;
 };
 

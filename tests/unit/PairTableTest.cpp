@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -18,9 +20,10 @@ constexpr bool daughtersMarked = true;
 /// Partners of an agent with the rest lengths of its bonds, without the padding.
 std::vector<std::pair<Index, float>> partners(const PairTable& table, Index i) {
   std::vector<std::pair<Index, float>> row;
-  for (const PairTable::Block& block : table.group(i / laneCount)) {
-    const Index partner = block.partner[i % laneCount];
-    if (partner != table.nobody()) row.emplace_back(partner, block.rest[i % laneCount]);
+  for (std::uint32_t n = 0; n < table.length(i); ++n) {
+    const PairTable::Block& block = table.row(i)[n / PairTable::width];
+    const Index partner = block.partner[n % PairTable::width];
+    if (partner != table.nobody()) row.emplace_back(partner, block.rest[n % PairTable::width]);
   }
   return row;
 }
@@ -58,7 +61,10 @@ TEST(PairTable, HoldsNeighboursAndBondPartnersOnceEachInAscendingOrder) {
     }
     ASSERT_EQ(partners(table, i), expected) << i;
   }
-  EXPECT_TRUE(table.marked(0));
+  EXPECT_TRUE(table.marked(5));
+  const auto marked = [&](Index i) { return table.marked(i); };
+  EXPECT_EQ(std::ranges::count_if(std::views::iota(Index{0}, tissue.agents.size()), marked),
+            static_cast<std::ptrdiff_t>(partners(table, 5).size()) + 1);
 }
 
 TEST(PairTable, UpdatedIsWhatItWouldBeBuiltAnew) {

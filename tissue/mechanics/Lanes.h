@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -49,8 +51,32 @@ class Numbers {
   Vector v_;
 };
 
-/// Agents whose partners stand side by side in a PairTable. Fixed, whatever the processor.
-inline constexpr int laneCount = 8;
+/// Columns of a square or taller table of numbers: columns[n] gets the n-th of the numbers at row(k) in its
+/// element k.
+template <class Stored, class Real, int lanes, std::size_t count, class Row>
+void transpose(const Row& row, std::array<Numbers<Real, lanes>, count>& columns) {
+  if constexpr (std::is_same_v<Stored, Real> && sizeof(Real) == 4 && lanes == 8 && count == 8) {
+    using V = typename Numbers<Real, lanes>::Vector;
+    V a[8], b[8];
+    for (int k = 0; k < 8; ++k) std::memcpy(&a[k], row(k), sizeof(V));
+    for (int k = 0; k < 8; k += 2) {  // pairs of numbers, of quarters, of halves
+      b[k] = __builtin_shufflevector(a[k], a[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+      b[k + 1] = __builtin_shufflevector(a[k], a[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int k : {0, 1, 4, 5}) {
+      a[k] = __builtin_shufflevector(b[k], b[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      a[k + 2] = __builtin_shufflevector(b[k], b[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; ++k) {
+      columns[k] = Numbers<Real, lanes>(V(__builtin_shufflevector(a[k], a[k + 4], 0, 1, 2, 3, 8, 9, 10, 11)));
+      columns[k + 4] =
+          Numbers<Real, lanes>(V(__builtin_shufflevector(a[k], a[k + 4], 4, 5, 6, 7, 12, 13, 14, 15)));
+    }
+  } else {
+    for (std::size_t n = 0; n < count; ++n)
+      for (int k = 0; k < lanes; ++k) columns[n].set(k, row(k)[n]);
+  }
+}
 
 /// Force of a contact law at one overlap [N].
 template <class Law>

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <span>
 
 #include "BondAttraction.h"
@@ -32,71 +33,44 @@ class PairForces {
         cohesion_{in.parameters.cohesionModulus, in.parameters.cohesionRange},
         attraction_{in.parameters.bondModulus, in.parameters.bondAxialFactor} {}
 
-  /// Loads of the agents of group g.
-  void group(std::size_t g, std::array<AgentLoad, laneCount>& loads) const {
-    for (int first = 0; first < laneCount; first += lanes) {
-      std::array<Index, lanes> self;
-      for (int k = 0; k < lanes; ++k)
-        self[k] =
-            std::min(static_cast<Index>(g * laneCount) + static_cast<Index>(first + k), pairs_.nobody());
-      evaluate(GroupRows{pairs_.group(g), first}, self, pairs_.marked(g), loads.data() + first);
-    }
-  }
-
-  /// Loads of any agents, for `lanes` of them that stand apart.
-  void apart(const std::array<Index, lanes>& agents, std::array<AgentLoad, lanes>& loads) const {
-    evaluate(ApartRows(pairs_, agents), agents, true, loads.data());
+  /// Loads of any agents, one a lane.
+  void evaluate(const std::array<Index, lanes>& agents, std::array<AgentLoad, lanes>& loads) const {
+    const bool cohesive = std::ranges::any_of(agents, [this](Index i) { return pairs_.marked(i); });
+    const bool apart = cohesive ? sum<true, false>(agents, loads) : sum<false, false>(agents, loads);
+    if (!apart) [[unlikely]]
+      sum<true, true>(agents, loads);
   }
 
  private:
-  /// The rows of agents that follow each other.
-  struct GroupRows {
-    std::span<const PairTable::Block> blocks;
-    int first;
+  using Block = PairTable::Block;
+  static constexpr int width = PairTable::width;
 
-    std::size_t size() const { return blocks.size(); }
-    const Index* partners(std::size_t n, std::array<Index, lanes>&) const {
-      return &blocks[n].partner[first];
-    }
-    float rest(std::size_t n, int lane) const { return blocks[n].rest[first + lane]; }
-  };
-
-  /// The rows of agents from anywhere, each as long as that of its group.
-  class ApartRows {
+  /// The rows of the lanes' agents, a block of each at a time.
+  class Rows {
    public:
-    ApartRows(const PairTable& pairs, const std::array<Index, lanes>& agents) : nobody_(pairs.nobody()) {
+    Rows(const PairTable& pairs, const std::array<Index, lanes>& agents) {
+      none_.partner.fill(pairs.nobody());
+      none_.rest.fill(std::numeric_limits<float>::infinity());
       for (int k = 0; k < lanes; ++k) {
-        rows_[k] = pairs.group(agents[k] / laneCount);
-        lane_[k] = static_cast<int>(agents[k] % laneCount);
-        size_ = std::max(size_, rows_[k].size());
+        length_[k] = pairs.length(agents[k]);
+        row_[k] = pairs.row(agents[k]);
+        longest_ = std::max(longest_, length_[k]);
       }
     }
-    std::size_t size() const { return size_; }
-    const Index* partners(std::size_t n, std::array<Index, lanes>& scratch) const {
-      for (int k = 0; k < lanes; ++k)
-        scratch[k] = n < rows_[k].size() ? rows_[k][n].partner[lane_[k]] : nobody_;
-      return scratch.data();
-    }
-    float rest(std::size_t n, int lane) const {
-      return n < rows_[lane].size() ? rows_[lane][n].rest[lane_[lane]]
-                                    : std::numeric_limits<float>::infinity();
+    std::uint32_t size() const { return longest_; }
+    /// The block of each lane that holds its partner n.
+    std::array<const Block*, lanes> blocks(std::uint32_t n) const {
+      std::array<const Block*, lanes> of;
+      for (int k = 0; k < lanes; ++k) of[k] = n < length_[k] ? row_[k] + n / width : &none_;
+      return of;
     }
 
    private:
-    std::array<std::span<const PairTable::Block>, lanes> rows_;
-    std::array<int, lanes> lane_;
-    std::size_t size_ = 0;
-    Index nobody_;
+    Block none_;
+    std::array<std::uint32_t, lanes> length_;
+    std::array<const Block*, lanes> row_;
+    std::uint32_t longest_ = 0;
   };
-
-  /// `cohesive`: whether pairs may be marked for a daughter; true is never wrong.
-  template <class Rows>
-  void evaluate(const Rows& rows, const std::array<Index, lanes>& self, bool cohesive,
-                AgentLoad* loads) const {
-    const bool apart = cohesive ? sum<true, false>(rows, self, loads) : sum<false, false>(rows, self, loads);
-    if (!apart) [[unlikely]]
-      sum<true, true>(rows, self, loads);
-  }
 
   // Distance that coinciding centres are taken to have, over sqrt(3) [m]: far below any radius; its square is
   // far above underflow, in single precision too.
@@ -104,20 +78,27 @@ class PairForces {
 
   /// The loads of the agents `self`. Returns false, the loads being wrong, if centres coincide and `careful`
   /// is not set.
-  template <bool cohesive, bool careful, class Rows>
-  bool sum(const Rows& rows, const std::array<Index, lanes>& self, AgentLoad* loads) const {
-    std::array<Index, lanes> scratch;
+  template <bool cohesive, bool careful>
+  bool sum(const std::array<Index, lanes>& self, std::array<AgentLoad, lanes>& loads) const {
+    const Rows rows(pairs_, self);
+    std::array<const Block*, lanes> blocks{};
+    std::array<Values, width> rests;
     const auto here = spheres_.at(self.data());
     const bool allBondsAlike = attraction_.axialFactor == 1;
     Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};
-    for (std::size_t n = 0; n < rows.size(); ++n) {
-      const Index* partners = rows.partners(n, scratch);
-      const auto there = spheres_.at(partners);
+    for (std::uint32_t n = 0; n < rows.size(); ++n) {
+      if (n % width == 0) {
+        blocks = rows.blocks(n);
+        transpose<float>([&](int k) { return blocks[k]->rest.data(); }, rests);
+      }
+      std::array<Index, lanes> partners;
+      for (int k = 0; k < lanes; ++k) partners[k] = blocks[k]->partner[n % width];
+      const auto there = spheres_.at(partners.data());
       Values dx, dy, dz;
       spheres_.separation(here, there, dx, dy, dz);
       Values distance2 = dx * dx + dy * dy + dz * dz;
       if constexpr (careful) {
-        tellApart(self, partners, dx, dy, dz, distance2);
+        tellApart(self, partners.data(), dx, dy, dz, distance2);
       } else {
         nearest2 = nearest2.min(distance2);
       }
@@ -127,8 +108,7 @@ class PairForces {
       law_.evaluate((radii - distance).max(0), here.r * there.r / radii, push, slope);
       stiffness += slope;
 
-      Values rest;
-      for (int k = 0; k < lanes; ++k) rest.set(k, rows.rest(n, k));
+      const Values rest = rests[n % width];
       // Where the direction does not matter the division is saved: the result is the same.
       const Values cosine = allBondsAlike ? Values(0) : dz / distance;
       Values pull;
@@ -177,41 +157,29 @@ class PairForces {
   BondAttraction attraction_;
 };
 
-/// Sets loads[k] for every k-th agent of `subset`, which is ascending. Where few of a group are wanted they
-/// are computed together with others that stand apart.
+/// Sets loads[k] for every k-th agent of `subset`, in ascending order. Agents next to each other in the store
+/// should be so in space (spatialOrder): this decides speed, no result.
 template <class Law, class Spheres>
 void evaluatePairs(const ForceInput& in, const Spheres& spheres, std::span<const Index> subset,
                    std::span<AgentLoad> loads) {
   using Forces = PairForces<Law, Spheres>;
   constexpr std::size_t lanes = Forces::lanes;
   const Forces forces(in, spheres);
-  std::array<AgentLoad, laneCount> ofGroup;
-  std::array<Index, lanes> apart;
-  std::array<std::size_t, lanes> place;
-  std::array<AgentLoad, lanes> ofApart;
-  std::size_t waiting = 0;
-  const auto finishWaiting = [&] {
-    std::fill(apart.begin() + waiting, apart.end(), apart[0]);
-    forces.apart(apart, ofApart);
-    for (std::size_t k = 0; k < waiting; ++k) loads[place[k]] = ofApart[k];
-    waiting = 0;
-  };
-  for (std::size_t k = 0; k < subset.size();) {
-    const std::size_t g = subset[k] / laneCount;
-    std::size_t end = k;
-    while (end < subset.size() && subset[end] / laneCount == g) ++end;
-    if (end - k < laneCount / 2) {
-      for (; k < end; ++k) {
-        apart[waiting] = subset[k];
-        place[waiting] = k;
-        if (++waiting == lanes) finishWaiting();
-      }
-    } else {
-      forces.group(g, ofGroup);
-      for (; k < end; ++k) loads[k] = ofGroup[subset[k] % laneCount];
-    }
+  std::array<Index, lanes> agents;
+  std::array<AgentLoad, lanes> ofLanes;
+  for (std::size_t first = 0; first < subset.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, subset.size() - first);
+    std::copy_n(subset.begin() + first, count, agents.begin());
+    std::fill(agents.begin() + count, agents.end(), agents[0]);
+    const auto ahead = [&](std::size_t groups, auto&& fetch) {
+      const std::size_t begin = first + groups * lanes;
+      for (std::size_t k = begin; k < std::min(begin + lanes, subset.size()); ++k) fetch(subset[k]);
+    };
+    ahead(4, [&](Index i) { in.pairs.fetchPlace(i); });
+    ahead(2, [&](Index i) { in.pairs.fetchRow(i); });
+    forces.evaluate(agents, ofLanes);
+    std::copy_n(ofLanes.begin(), count, loads.begin() + first);
   }
-  if (waiting > 0) finishWaiting();
 }
 
 }  // namespace restenosis

@@ -127,7 +127,8 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   const Index count = size();
   const auto chunks = static_cast<std::ptrdiff_t>((count + chunk - 1) / chunk);
   std::vector<std::vector<Index>> parts(chunks);
-  std::vector<Row> rows(count);
+  std::vector<Row> rows = std::move(rows_);
+  rows.assign(count, Row{});
 #pragma omp parallel for schedule(dynamic) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const auto begin = static_cast<Index>(c) * chunk;

@@ -17,6 +17,7 @@ Verdict RelaxPart::inputsChanged(const Instant&) const {
 
 void RelaxPart::run(const Instant& now) {
   auto measurement = world_.timer.measure("relax");
+  world_.forgetLumen();
   const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
   const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
