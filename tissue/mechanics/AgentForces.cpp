@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -102,12 +103,12 @@ void AgentForces::refresh() {
   for (Index i = 0; i < known; ++i) {
     if (changed(i)) others.push_back(i);
   }
-  for (const Index i : others) doubtAround(i);
+  doubtAround(others);
   for (Index i = known; i < count; ++i) {
     others.push_back(i);
     if (isFree(i)) free_.push_back(i);
   }
-  if (scale_ && !std::ranges::all_of(others, [this](Index i) { return fits(i); })) return start();
+  if (scale_ && !allFit(others)) return start();
 
   const NeighbourList::Change change = neighbours_.update(agents_, range_);
   if (change.all || count > pairs_.nobody()) {
@@ -117,7 +118,7 @@ void AgentForces::refresh() {
     for (const Index i : others) take(i);
     pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
   }
-  for (const Index i : others) doubtAround(i);
+  doubtAround(others);
   moving_.clear();
 }
 
@@ -130,6 +131,12 @@ bool AgentForces::fits(Index i) const {
   return agents_.radius[i] <= within && std::ranges::all_of(bonds_.of(i), [&](const Bond& bond) {
            return (agents_.position(i) - agents_.position(bond.partner)).squaredNorm() <= within * within;
          });
+}
+
+bool AgentForces::allFit(std::span<const Index> agents) const {
+  return !reduceInChunks<Any>(agents.size(), [&](std::size_t k, Any& part) {
+            if (!part.found && !fits(agents[k])) part = {true, agents[k]};
+          }).found;
 }
 
 bool AgentForces::changed(Index i) const {
@@ -159,15 +166,21 @@ bool AgentForces::mayAct(Index i, const Vec3& position, double radius, Index j) 
   return (position - agents_.position(j)).squaredNorm() < reach * reach;
 }
 
-void AgentForces::doubtAround(Index i) {
-  unsure_[i] = 1;
-  // Without mixed precision it is not known where the agent was.
-  const Sphere& before = spheres_[i];
-  const Vec3 was(before.x, before.y, before.z), is = agents_.position(i);
-  for (const Index j : neighbours_.of(i)) {
-    if (!scale_ || mayAct(i, was, before.r, j) || mayAct(i, is, agents_.radius[i], j)) unsure_[j] = 1;
-  }
-  for (const Bond& bond : bonds_.of(i)) unsure_[bond.partner] = 1;
+void AgentForces::doubtAround(std::span<const Index> agents) {
+  forEachInChunks(agents.size(), [&](std::size_t k) {
+    const Index i = agents[k];
+    const auto doubtOne = [this](Index j) {
+      std::atomic_ref(unsure_[j]).store(1, std::memory_order_relaxed);
+    };
+    doubtOne(i);
+    // Without mixed precision it is not known where the agent was.
+    const Sphere& before = spheres_[i];
+    const Vec3 was(before.x, before.y, before.z), is = agents_.position(i);
+    for (const Index j : neighbours_.of(i)) {
+      if (!scale_ || mayAct(i, was, before.r, j) || mayAct(i, is, agents_.radius[i], j)) doubtOne(j);
+    }
+    for (const Bond& bond : bonds_.of(i)) doubtOne(bond.partner);
+  });
 }
 
 void AgentForces::project() {
@@ -223,11 +236,9 @@ void AgentForces::evaluate(std::span<const Index> subset) {
 }
 
 void AgentForces::evaluateExactly(std::span<const Index> moving) {
-  for (const Index i : moving_) {
-    doubtAround(i);
-    spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
-    outgrown_ = outgrown_ || (scale_ && !fits(i));
-  }
+  doubtAround(moving_);
+  for (const Index i : moving_) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  outgrown_ = outgrown_ || (scale_ && !allFit(moving_));
   std::vector<Index> due;
   std::ranges::copy_if(free_, std::back_inserter(due), [&](Index i) { return unsure_[i] != 0; });
   evaluate(ExactSpheres(spheres_), due);

@@ -74,14 +74,16 @@ class AgentForces {
   void project();
   /// Whether agent i is within what mixed precision can express.
   bool fits(Index i) const;
+  bool allFit(std::span<const Index> agents) const;
   /// Whether agent i is not where and as large as its copy.
   bool changed(Index i) const;
   /// Makes the copy agent i.
   void take(Index i);
   /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
   bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
-  /// The force on agent i and on those it acts on or acted on at the time of evaluateExactly() is unsure.
-  void doubtAround(Index i);
+  /// The forces on these agents and on those they act on or acted on at the time of evaluateExactly() are
+  /// unsure.
+  void doubtAround(std::span<const Index> agents);
   void packAll();
   void buildPairs();
   bool marksDaughters() const { return range_.daughterFactor > range_.factor; }

@@ -120,11 +120,13 @@ template <class Wanted>
 std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents, const Wanted& wanted) {
   const AgentStore& store = forces_.agents();
   return collect(agents, [&](Index i, const auto& take) {
+    const Vec3 here = store.position(i);
     // Those that touch, not all listed: who wakes must not depend on the list.
-    for (const Index j : forces_.neighbours().of(i)) {
+    const auto wantedAndTouching = [&](Index j) {
       const double radii = store.radius[i] + store.radius[j];
-      if ((store.position(i) - store.position(j)).squaredNorm() < radii * radii) take(j, wanted);
-    }
+      return wanted(j) && (here - store.position(j)).squaredNorm() < radii * radii;
+    };
+    for (const Index j : forces_.neighbours().of(i)) take(j, wantedAndTouching);
     for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, wanted);
   });
 }

@@ -49,7 +49,7 @@ class RelaxingAgents {
   template <class Wanted>
   std::vector<Index> markPartners(const std::vector<Index>& agents, const Wanted& wanted);
   /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
-  /// marked yet and wanted(j); returns them in no particular order.
+  /// marked yet and wanted(j), which is asked of unmarked ones only; returns them in no particular order.
   template <class Look>
   std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
   /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
