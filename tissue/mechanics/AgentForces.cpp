@@ -166,6 +166,13 @@ bool AgentForces::mayAct(Index i, const Vec3& position, double radius, Index j) 
   return (position - agents_.position(j)).squaredNorm() < reach * reach;
 }
 
+bool AgentForces::mayHaveActed(Index i, Index j) const {
+  // Without mixed precision it is not known where the agent was.
+  const Sphere& before = spheres_[i];
+  return !scale_ || mayAct(i, Vec3(before.x, before.y, before.z), before.r, j) ||
+         mayAct(i, agents_.position(i), agents_.radius[i], j);
+}
+
 void AgentForces::doubtAround(std::span<const Index> agents) {
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const Index i = agents[k];
@@ -173,11 +180,8 @@ void AgentForces::doubtAround(std::span<const Index> agents) {
       std::atomic_ref(unsure_[j]).store(1, std::memory_order_relaxed);
     };
     doubtOne(i);
-    // Without mixed precision it is not known where the agent was.
-    const Sphere& before = spheres_[i];
-    const Vec3 was(before.x, before.y, before.z), is = agents_.position(i);
     for (const Index j : neighbours_.of(i)) {
-      if (!scale_ || mayAct(i, was, before.r, j) || mayAct(i, is, agents_.radius[i], j)) doubtOne(j);
+      if (mayHaveActed(i, j)) doubtOne(j);
     }
     for (const Bond& bond : bonds_.of(i)) doubtOne(bond.partner);
   });

@@ -57,6 +57,9 @@ class AgentForces {
   /// whose partners changed.
   void updateLists(std::span<const Index> moved, std::vector<Index>& relisted);
 
+  /// Whether agent i may act on agent j, which has not moved, or has acted on it when evaluateExactly() last
+  /// looked.
+  bool mayHaveActed(Index i, Index j) const;
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
   /// The forces on these agents, in ascending order.
