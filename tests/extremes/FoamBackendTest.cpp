@@ -139,6 +139,7 @@ TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
   EXPECT_SAYS(message, "simpleFoam");
   EXPECT_SAYS(message, "not converged");
   EXPECT_SAYS(message, "first attempt");
+  EXPECT_SAYS(message, "case/firstAttempt/log.simpleFoam");
   EXPECT_TRUE(fs::exists(log));
   EXPECT_TRUE(fs::exists(scratch.path() / "case/firstAttempt/log.simpleFoam"));
 }

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Folders of a case that keep the logs of an attempt given up.
+constexpr const char *movedMesh = "movedMesh", *firstAttempt = "firstAttempt";
 /// Cells by which the wall overshoots the planes of the ends.
 constexpr double overshootCells = 2.0;
 /// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
@@ -57,13 +59,13 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
   Attempt newMesh{.former = former && settings_.warmStart ? &*former : nullptr};
   if (remeshing_ == Remeshing::onDemand && former) {
-    newMesh.keepLogsIn = "movedMesh";
+    newMesh.keepLogsIn = movedMesh;
     try {
       return attempt(folder, lumen, shape, conditions, {.mesh = Attempt::Mesh::moved, .former = &*former});
     } catch (const MorphRefused& refused) {
       reason = refused.reason, details = refused.what();
     } catch (const FoamStepFailed& failed) {
-      reason = "the moved mesh failed a check", details = failed.what();
+      reason = "the moved mesh failed a check", details = failed.withLogIn(folder / movedMesh);
     }
   }
   FlowSolution solution = solveWithNewMesh(folder, lumen, shape, conditions, newMesh);
@@ -83,16 +85,15 @@ FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurf
   } catch (const FoamStepFailed& first) {
     try {
       FlowSolution solution =
-          attempt(folder, lumen, shape, conditions, {.effort = Effort::robust, .keepLogsIn = "firstAttempt"});
+          attempt(folder, lumen, shape, conditions, {.effort = Effort::robust, .keepLogsIn = firstAttempt});
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
-          first.what()));
+          first.withLogIn(folder / firstAttempt)));
       return solution;
     } catch (const FlowFailed& second) {
-      const fs::path former = folder / "firstAttempt" / first.log.filename();
       throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
-                                   second.what(), first.what()),
-                       second.log.empty() ? former : second.log);
+                                   second.what(), first.withLogIn(folder / firstAttempt)),
+                       second.log.empty() ? folder / firstAttempt / first.log.filename() : second.log);
     }
   }
 }

@@ -19,6 +19,13 @@ constexpr double squareMillimetre = 1e-6;
 constexpr double micrometre = 1e-6;
 }  // namespace
 
+FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
+    : FlowFailed(fmt::format("{} (see {})", what, logFile.string()), logFile), problem(std::move(what)) {}
+
+std::string FoamStepFailed::withLogIn(const fs::path& folder) const {
+  return fmt::format("{} (see {})", problem, (folder / log.filename()).string());
+}
+
 FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& conditions,
                  const FoamSettings& settings, const FoamExecution& execution)
     : folder_(std::move(folder)),
@@ -28,7 +35,7 @@ FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& 
       execution_(execution) {}
 
 void FoamRun::fail(const std::string& program, const std::string& reason) const {
-  throw FoamStepFailed(fmt::format("{}: {} (see {})", program, reason, log(program).string()), log(program));
+  throw FoamStepFailed(fmt::format("{}: {}", program, reason), log(program));
 }
 
 void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments, On on) {

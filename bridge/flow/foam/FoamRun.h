@@ -13,7 +13,11 @@ namespace restenosis {
 
 /// A step that failed in a way that another attempt may mend.
 struct FoamStepFailed : FlowFailed {
-  using FlowFailed::FlowFailed;
+  FoamStepFailed(std::string what, std::filesystem::path logFile);
+  /// What failed, naming its log in the folder that another attempt keeps it in.
+  std::string withLogIn(const std::filesystem::path& folder) const;
+
+  std::string problem;  ///< without the log
 };
 
 /// A mesh that should not follow the lumen; `reason` is a category, without numbers, that can be counted.
