@@ -70,6 +70,7 @@ void AgentForces::start() {
   residual_.assign(count, 0.0);
   unsure_.assign(count, 1);
   moving_.clear();
+  isMoving_.assign(count, 0);
   free_.clear();
   for (Index i = 0; i < count; ++i) {
     if (isFree(i)) free_.push_back(i);
@@ -98,6 +99,7 @@ void AgentForces::refresh() {
   lengthen(stiffness_, count, settings_.softest);
   lengthen(residual_, count, 0.0);
   lengthen(unsure_, count, std::uint8_t{1});
+  lengthen(isMoving_, count, std::uint8_t{0});
 
   std::vector<Index> others;
   for (Index i = 0; i < known; ++i) {
@@ -119,6 +121,7 @@ void AgentForces::refresh() {
     pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
   }
   doubtAround(others);
+  for (const Index i : moving_) isMoving_[i] = 0;
   moving_.clear();
 }
 
@@ -224,7 +227,10 @@ void AgentForces::updateLists(std::span<const Index> moved, std::vector<Index>& 
 }
 
 void AgentForces::startMoving(std::span<const Index> agents) {
-  moving_.insert(moving_.end(), agents.begin(), agents.end());
+  for (const Index i : agents) {
+    if (!isMoving_[i]) moving_.push_back(i);
+    isMoving_[i] = 1;
+  }
 }
 
 void AgentForces::doubt(std::span<const Index> agents) {
@@ -247,7 +253,9 @@ void AgentForces::evaluateExactly(std::span<const Index> moving) {
   std::ranges::copy_if(free_, std::back_inserter(due), [&](Index i) { return unsure_[i] != 0; });
   evaluate(ExactSpheres(spheres_), due);
   std::ranges::fill(unsure_, 0);
-  moving_.assign(moving.begin(), moving.end());
+  for (const Index i : moving_) isMoving_[i] = 0;
+  moving_.clear();
+  startMoving(moving);
 }
 
 template <class Spheres>

@@ -57,9 +57,9 @@ class AgentForces {
   /// whose partners changed.
   void updateLists(std::span<const Index> moved, std::vector<Index>& relisted);
 
-  /// Whether agent i may act on agent j, which has not moved, or has acted on it when evaluateExactly() last
-  /// looked.
-  bool mayHaveActed(Index i, Index j) const;
+  /// Whether the force on agent j, computed since evaluateExactly() or by it, may have changed because agent
+  /// i has moved.
+  bool mayHaveChanged(Index j, Index i) const { return changed(j) || mayHaveActed(i, j); }
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
   /// The forces on these agents, in ascending order.
@@ -84,6 +84,9 @@ class AgentForces {
   void take(Index i);
   /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
   bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
+  /// Whether agent i may act on agent j, which has not moved, or acted on it at the time of
+  /// evaluateExactly().
+  bool mayHaveActed(Index i, Index j) const;
   /// The forces on these agents and on those they act on or acted on at the time of evaluateExactly() are
   /// unsure.
   void doubtAround(std::span<const Index> agents);
@@ -110,7 +113,8 @@ class AgentForces {
   std::vector<double> stiffness_;
   std::vector<double> residual_;
   std::vector<Index> free_;
-  std::vector<Index> moving_;  ///< since the last exact evaluation, some repeatedly
+  std::vector<Index> moving_;  ///< since the last exact evaluation, in no particular order
+  std::vector<std::uint8_t> isMoving_;
   /// Whose force may have changed since, beside those of and next to moving_.
   std::vector<std::uint8_t> unsure_;
   std::uint64_t evaluations_ = 0;

@@ -54,7 +54,8 @@ class Numbers {
 /// Columns of a square or taller table of numbers: columns[n] gets the n-th of the numbers at row(k) in its
 /// element k.
 template <class Stored, class Real, int lanes, std::size_t count, class Row>
-[[gnu::always_inline]] inline void transpose(const Row& row, std::array<Numbers<Real, lanes>, count>& columns) {
+[[gnu::always_inline]] inline void transpose(const Row& row,
+                                             std::array<Numbers<Real, lanes>, count>& columns) {
   if constexpr (std::is_same_v<Stored, Real> && sizeof(Real) == 4 && lanes == 8 && count == 8) {
     using V = typename Numbers<Real, lanes>::Vector;
     V a[8], b[8];
