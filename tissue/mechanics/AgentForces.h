@@ -57,9 +57,6 @@ class AgentForces {
   /// whose partners changed.
   void updateLists(std::span<const Index> moved, std::vector<Index>& relisted);
 
-  /// Whether the force on agent j, computed since evaluateExactly() or by it, may have changed because agent
-  /// i has moved.
-  bool mayHaveChanged(Index j, Index i) const { return changed(j) || mayHaveActed(i, j); }
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
   /// The forces on these agents, in ascending order.

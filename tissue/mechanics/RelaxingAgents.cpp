@@ -73,8 +73,7 @@ bool RelaxingAgents::wakeDisturbed() {
   }
   const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
   std::vector<Index> beside = collect(awake_, [&](Index i, const auto& take) {
-    const auto disturbed = [&](Index j) { return asleep(j) && forces_.mayHaveChanged(j, i); };
-    for (const Index j : forces_.neighbours().of(i)) take(j, disturbed);
+    for (const Index j : forces_.neighbours().of(i)) take(j, asleep);
     for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
   });
   // Those whom an awake agent has left since they were looked at, too.
