@@ -171,12 +171,6 @@ void evaluatePairs(const ForceInput& in, const Spheres& spheres, std::span<const
     const std::size_t count = std::min(lanes, subset.size() - first);
     std::copy_n(subset.begin() + first, count, agents.begin());
     std::fill(agents.begin() + count, agents.end(), agents[0]);
-    const auto ahead = [&](std::size_t groups, auto&& fetch) {
-      const std::size_t begin = first + groups * lanes;
-      for (std::size_t k = begin; k < std::min(begin + lanes, subset.size()); ++k) fetch(subset[k]);
-    };
-    ahead(4, [&](Index i) { in.pairs.fetchPlace(i); });
-    ahead(2, [&](Index i) { in.pairs.fetchRow(i); });
     forces.evaluate(agents, ofLanes);
     std::copy_n(ofLanes.begin(), count, loads.begin() + first);
   }

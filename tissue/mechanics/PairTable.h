@@ -41,13 +41,6 @@ class PairTable {
   std::uint32_t length(Index i) const { return rows_[i].length; }
   /// The first of an agent's blocks; valid until the next build or update.
   const Block* row(Index i) const { return blocks_.data() + rows_[i].start; }
-  /// Fetches into the cache what is read of an agent soon: where its row is, then the row.
-  void fetchPlace(Index i) const { __builtin_prefetch(&rows_[i]); }
-  void fetchRow(Index i) const {
-    const Block* const blocks = row(i);
-    __builtin_prefetch(blocks);
-    __builtin_prefetch(blocks + 1);
-  }
   /// False if no pair of the agent is marked for a daughter.
   bool marked(Index i) const { return rows_[i].marked != 0; }
   std::size_t bytes() const { return blocks_.size() * sizeof(Block) + rows_.size() * sizeof(rows_[0]); }
