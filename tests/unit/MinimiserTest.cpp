@@ -8,17 +8,27 @@ namespace {
 /// One agent on a spring of unequal stiffness across and along the axis.
 struct Spring {
   std::vector<Index> active{0};
-  std::vector<Vec3> force{Vec3::Zero()}, velocity{Vec3::Zero()}, step{Vec3::Zero()};
-  std::vector<double> stiffness{2.0}, radius{1.0};
+  std::vector<AgentMotion> motion{{.stiffness = 2.0}};
+  std::vector<double> radius{1.0};
   Vec3 position{0.3, -0.1, 0.2};
+
+  Vec3 step(Minimiser& minimiser) {
+    const MinimiserView view{active, motion, radius};
+    StepTotals totals;
+    minimiser.total(view, 0, 1, totals);
+    minimiser.begin(totals);
+    std::vector<Vec3> move(1);
+    minimiser.step(view, 0, 1, move);
+    return move[0];
+  }
 
   double relax(Minimiser& minimiser, int steps) {
     double longest = 0;
     for (int k = 0; k < steps; ++k) {
-      force[0] = -Vec3(2.0, 2.0, 0.5).cwiseProduct(position);
-      minimiser.step({active, force, stiffness, radius, velocity, step});
-      position += step[0];
-      longest = std::max(longest, step[0].norm());
+      motion[0].force = -Vec3(2.0, 2.0, 0.5).cwiseProduct(position);
+      const Vec3 move = step(minimiser);
+      position += move;
+      longest = std::max(longest, move.norm());
     }
     return longest;
   }
@@ -43,20 +53,51 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;
-    spring.force[0] = {0.01, 0, 0.01};
-    const auto minimiser = makeMinimiser(minimisedBy(name));
-    minimiser->step(
-        {spring.active, spring.force, spring.stiffness, spring.radius, spring.velocity, spring.step});
-    EXPECT_NEAR(spring.step[0].z() / spring.step[0].x(), 2, 1e-12) << name;
+    spring.motion[0].force = {0.01, 0, 0.01};
+    const Vec3 move = spring.step(*makeMinimiser(minimisedBy(name)));
+    EXPECT_NEAR(move.z() / move.x(), 2, 1e-12) << name;
   }
 }
 
 TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
   Spring spring;
-  spring.velocity[0] = {0.1, 0, 0};
-  makeMinimiser(minimisedBy("fire"))
-      ->step({spring.active, spring.force, spring.stiffness, spring.radius, spring.velocity, spring.step});
-  EXPECT_EQ(spring.step[0], Vec3::Zero());
+  spring.motion[0].velocity = {0.1, 0, 0};
+  EXPECT_EQ(spring.step(*makeMinimiser(minimisedBy("fire"))), Vec3::Zero());
+}
+
+TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
+  const std::vector<Index> active{0, 2, 3};
+  const std::vector<double> radius(4, 1.0);
+  std::vector<AgentMotion> start(4, {.stiffness = 3.0});
+  start[0].force = {0.02, 0, 0}, start[0].velocity = {0.01, 0, 0};
+  start[2].force = {0, 0.01, 0.01}, start[2].velocity = {0, 0.02, -0.01};
+  start[3].force = {-0.01, 0, 0}, start[3].velocity = {0.004, 0, 0};
+  start[3].stiffness = 7;
+  for (const auto name : minimiserNames()) {
+    const auto moved = [&](std::size_t piece) {
+      std::vector<AgentMotion> motion = start;
+      const MinimiserView view{active, motion, radius};
+      const auto minimiser = makeMinimiser(minimisedBy(name));
+      StepTotals totals;
+      for (std::size_t begin = 0; begin < active.size(); begin += piece) {
+        StepTotals part;
+        minimiser->total(view, begin, std::min(active.size(), begin + piece), part);
+        totals.join(part);
+      }
+      minimiser->begin(totals);
+      std::vector<Vec3> moves(active.size());
+      for (std::size_t begin = 0; begin < active.size(); begin += piece) {
+        minimiser->step(view, begin, std::min(active.size(), begin + piece), std::span(moves).subspan(begin));
+      }
+      return moves;
+    };
+    const std::vector<Vec3> all = moved(3);
+    for (const std::size_t piece : {1, 2}) {
+      for (std::size_t k = 0; k < all.size(); ++k)
+        EXPECT_LT((moved(piece)[k] - all[k]).norm(), 1e-15) << name << ", agent " << k;
+    }
+    for (const Vec3& move : all) EXPECT_GT(move.norm(), 0) << name;
+  }
 }
 
 TEST(Minimiser, SaysWhichNamesThereAre) {

@@ -65,23 +65,13 @@ AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
 
 void AgentForces::start() {
   const std::size_t count = agents_.size();
-  force_.assign(count, Vec3::Zero());
-  stiffness_.assign(count, settings_.softest);
-  residual_.assign(count, 0.0);
+  motion_.assign(count, AgentMotion{.stiffness = settings_.softest});
   unsure_.assign(count, 1);
   moving_.clear();
   isMoving_.assign(count, 0);
-  free_.clear();
-  for (Index i = 0; i < count; ++i) {
-    if (isFree(i)) free_.push_back(i);
-  }
+  free_ = agentsThat(count, [this](Index i) { return isFree(i); });
   scale_ = settings_.scale;
-  if (scale_) {
-    const auto misfit = reduceInChunks<Any>(count, [&](std::size_t i, Any& part) {
-      if (!part.found && !fits(static_cast<Index>(i))) part = {true, static_cast<Index>(i)};
-    });
-    if (misfit.found) scale_.reset();
-  }
+  if (scale_ && !agentsThat(count, [this](Index i) { return !fits(i); }).empty()) scale_.reset();
   // Without mixed precision although it was asked for, everything is looked at again the next time.
   outgrown_ = scale_.has_value() != settings_.scale.has_value();
   project();
@@ -95,16 +85,11 @@ void AgentForces::refresh() {
   project();
   const Index known = neighbours_.size();
   const std::size_t count = agents_.size();
-  lengthen(force_, count, Vec3::Zero().eval());
-  lengthen(stiffness_, count, settings_.softest);
-  lengthen(residual_, count, 0.0);
+  lengthen(motion_, count, AgentMotion{.stiffness = settings_.softest});
   lengthen(unsure_, count, std::uint8_t{1});
   lengthen(isMoving_, count, std::uint8_t{0});
 
-  std::vector<Index> others;
-  for (Index i = 0; i < known; ++i) {
-    if (changed(i)) others.push_back(i);
-  }
+  std::vector<Index> others = agentsThat(known, [this](Index i) { return changed(i); });
   doubtAround(others);
   for (Index i = known; i < count; ++i) {
     others.push_back(i);
@@ -137,9 +122,7 @@ bool AgentForces::fits(Index i) const {
 }
 
 bool AgentForces::allFit(std::span<const Index> agents) const {
-  return !reduceInChunks<Any>(agents.size(), [&](std::size_t k, Any& part) {
-            if (!part.found && !fits(agents[k])) part = {true, agents[k]};
-          }).found;
+  return agentsOf(agents, [this](Index i) { return !fits(i); }).empty();
 }
 
 bool AgentForces::changed(Index i) const {
@@ -237,29 +220,29 @@ void AgentForces::doubt(std::span<const Index> agents) {
   for (const Index i : agents) unsure_[i] = 1;
 }
 
-void AgentForces::evaluate(std::span<const Index> subset) {
+void AgentForces::evaluate(std::span<const Index> subset, const Look& look) {
   if (scale_) {
-    evaluate(FixedSpheres(fixed_, scale_->unit()), subset);
+    evaluate(FixedSpheres(fixed_, scale_->unit()), subset, look);
   } else {
-    evaluate(ExactSpheres(spheres_), subset);
+    evaluate(ExactSpheres(spheres_), subset, look);
   }
 }
 
-void AgentForces::evaluateExactly(std::span<const Index> moving) {
+std::vector<Index> AgentForces::evaluateExactly(std::span<const Index> moving) {
   doubtAround(moving_);
   for (const Index i : moving_) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
   outgrown_ = outgrown_ || (scale_ && !allFit(moving_));
-  std::vector<Index> due;
-  std::ranges::copy_if(free_, std::back_inserter(due), [&](Index i) { return unsure_[i] != 0; });
-  evaluate(ExactSpheres(spheres_), due);
+  std::vector<Index> due = agentsOf(free_, [this](Index i) { return unsure_[i] != 0; });
+  evaluate(ExactSpheres(spheres_), due, {});
   std::ranges::fill(unsure_, 0);
   for (const Index i : moving_) isMoving_[i] = 0;
   moving_.clear();
   startMoving(moving);
+  return due;
 }
 
 template <class Spheres>
-void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset) {
+void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset, const Look& look) {
   const auto bad = reducePieces<Any>(subset.size(), [&](std::size_t begin, std::size_t end, Any& part) {
     std::array<AgentLoad, chunkSize> loads;
     field_.evaluate(spheres, pairs_, subset.subspan(begin, end - begin), loads);
@@ -268,16 +251,18 @@ void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset
       const AgentLoad& load = loads[k - begin];
       Vec3 force = load.force();
       for (const Constraint* constraint : constraints_) constraint->release(agents_, i, force);
-      force_[i] = force;
-      stiffness_[i] = std::max(settings_.softest, load.stiffness);
-      residual_[i] = force.norm();
+      AgentMotion& motion = motion_[i];
+      motion.force = force;
+      motion.stiffness = std::max(settings_.softest, load.stiffness);
+      motion.residual = force.norm();
       agents_.pressure[i] = load.pressure;
-      if (!part.found && !std::isfinite(residual_[i])) part = {true, i};
+      if (!part.found && !std::isfinite(motion.residual)) part = {true, i};
     }
+    if (look) look(begin, end);
   });
   evaluations_ += subset.size();
   if (bad.found) {
-    const Vec3& f = force_[bad.agent];
+    const Vec3& f = motion_[bad.agent].force;
     throw std::runtime_error(fmt::format(
         "the force on agent {} at ({}, {}, {}) m is not finite: ({}, {}, {}) N", agents_.id[bad.agent],
         agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.x(), f.y(), f.z()));

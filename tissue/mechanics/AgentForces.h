@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "AgentMotion.h"
 #include "AgentStore.h"
 #include "BondTable.h"
 #include "Constraint.h"
@@ -44,10 +46,10 @@ class AgentForces {
   const AgentStore& agents() const { return agents_; }
   const NeighbourList& neighbours() const { return neighbours_; }
   const BondTable& bonds() const { return bonds_; }
-  const std::vector<Vec3>& force() const { return force_; }            ///< what constraints leave of it [N]
-  const std::vector<double>& stiffness() const { return stiffness_; }  ///< [N/m]
-  /// Length of the force, 0 for agents that are not free [N].
-  const std::vector<double>& residual() const { return residual_; }
+  /// By agent. Velocities are the caller's to set; those of agents not seen before are zero.
+  const std::vector<AgentMotion>& motion() const { return motion_; }
+  std::span<AgentMotion> motion() { return motion_; }
+  double residual(Index i) const { return motion_[i].residual; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 
   /// Moves an agent, named to startMoving before, to the nearest place its constraints allow. Returns whether
@@ -59,13 +61,16 @@ class AgentForces {
 
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
-  /// The forces on these agents, in ascending order.
-  void evaluate(std::span<const Index> subset);
+  /// Is told that the forces on the agents subset[begin] to subset[end - 1] have been computed.
+  using Look = std::function<void(std::size_t begin, std::size_t end)>;
+  /// The forces on these agents, in ascending order. `look` is called for pieces of chunkSize agents, from
+  /// several threads.
+  void evaluate(std::span<const Index> subset, const Look& look = {});
   /// The forces on these agents have been computed in mixed precision; evaluateExactly() is to do them again.
   void doubt(std::span<const Index> agents);
-  /// Computes in double precision all forces that may have changed since it did so last. From then on the
-  /// agents `moving` move.
-  void evaluateExactly(std::span<const Index> moving);
+  /// Computes in double precision all forces that may have changed since it did so last, and returns on whom,
+  /// in ascending order. From then on the agents `moving` move.
+  std::vector<Index> evaluateExactly(std::span<const Index> moving);
 
  private:
   /// Knows nothing yet: every force is unsure.
@@ -91,7 +96,7 @@ class AgentForces {
   void buildPairs();
   bool marksDaughters() const { return range_.daughterFactor > range_.factor; }
   template <class Spheres>
-  void evaluate(const Spheres& spheres, std::span<const Index> subset);
+  void evaluate(const Spheres& spheres, std::span<const Index> subset, const Look& look);
 
   AgentStore& agents_;
   const BondTable& bonds_;
@@ -106,9 +111,7 @@ class AgentForces {
   PairTable pairs_;
   std::vector<FixedSphere> fixed_;  ///< in mixed precision only
   std::vector<Sphere> spheres_;     ///< in mixed precision of the time of evaluateExactly()
-  std::vector<Vec3> force_;
-  std::vector<double> stiffness_;
-  std::vector<double> residual_;
+  std::vector<AgentMotion> motion_;
   std::vector<Index> free_;
   std::vector<Index> moving_;  ///< since the last exact evaluation, in no particular order
   std::vector<std::uint8_t> isMoving_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Chunks.h"
-
 namespace restenosis {
 namespace {
 
@@ -15,38 +13,41 @@ constexpr double firstMixing = 0.1, mixingDecay = 0.99;
 constexpr int stepsBeforeGrowth = 5;
 constexpr double uphillShare = 0.5;  // of its velocity that an agent keeps while it moves against its force
 
-struct Sums {
-  double power = 0;     ///< F . v, before agents moving uphill are slowed
-  double velocity = 0;  ///< v . M v
-  double force = 0;     ///< F . F / M
-  void join(const Sums& o) { power += o.power, velocity += o.velocity, force += o.force; }
-};
+/// Mobilities are 1 / mass, the axial one times the axial factor; the larger of the two is 1 / stiffness.
+Vec3 mobilityShares(double axialFactor) {
+  const double slower = 1 / std::max(1.0, axialFactor);
+  return {slower, slower, slower * axialFactor};
+}
+
+/// The velocity an agent sets out with.
+Vec3 slowedUphill(const AgentMotion& motion, double power) {
+  if (power > 0) return motion.velocity;
+  return motion.velocity * (motion.force.isZero(0) ? 0 : uphillShare);
+}
 
 }  // namespace
 
 FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
-    : axialFactor_(parameters.axialForceFactor),
+    : mobilityShare_(mobilityShares(parameters.axialForceFactor)),
       stepLimit_(parameters.stepLimit),
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
 
-void FireMinimiser::step(const MinimiserView& view) {
-  // Mobilities: 1 / mass, the axial one times the axial factor; the larger of the two is 1 / stiffness.
-  const double slower = 1 / std::max(1.0, axialFactor_);
-  const Vec3 share(slower, slower, slower * axialFactor_);
+void FireMinimiser::total(const MinimiserView& view, std::size_t begin, std::size_t end,
+                          StepTotals& totals) const {
+  for (std::size_t k = begin; k < end; ++k) {
+    const AgentMotion& motion = view.motion[view.active[k]];
+    const Vec3 mobility = mobilityShare_ / motion.stiffness;
+    const double power = motion.force.dot(motion.velocity);
+    const Vec3 velocity = slowedUphill(motion, power);
+    totals.power += power;
+    totals.velocity += velocity.dot(velocity.cwiseQuotient(mobility));
+    totals.force += motion.force.dot(motion.force.cwiseProduct(mobility));
+  }
+}
 
-  const auto sums = reduceInChunks<Sums>(view.active.size(), [&](std::size_t k, Sums& part) {
-    const Index i = view.active[k];
-    const Vec3 &force = view.force[i], mobility = share / view.stiffness[i];
-    Vec3& velocity = view.velocity[i];
-    const double power = force.dot(velocity);
-    part.power += power;
-    if (!(power > 0)) velocity *= force.isZero(0) ? 0 : uphillShare;
-    part.velocity += velocity.dot(velocity.cwiseQuotient(mobility));
-    part.force += force.dot(force.cwiseProduct(mobility));
-  });
-
-  const bool downhill = sums.power >= 0;
+void FireMinimiser::begin(const StepTotals& totals) {
+  const bool downhill = totals.power >= 0;
   if (!downhill) {
     downhillSteps_ = 0;
     timeStep_ *= shrink;
@@ -55,18 +56,22 @@ void FireMinimiser::step(const MinimiserView& view) {
     timeStep_ = std::min(timeStep_ * grow, largestTimeStep);
     mixing_ *= mixingDecay;
   }
-  const double keep = downhill ? 1 - mixing_ : 0;
-  const double steer = downhill && sums.force > 0 ? mixing_ * std::sqrt(sums.velocity / sums.force) : 0;
+  keep_ = downhill ? 1 - mixing_ : 0;
+  steer_ = downhill && totals.force > 0 ? mixing_ * std::sqrt(totals.velocity / totals.force) : 0;
+}
 
-  forEachInChunks(view.active.size(), [&](std::size_t k) {
+void FireMinimiser::step(const MinimiserView& view, std::size_t begin, std::size_t end,
+                         std::span<Vec3> moves) const {
+  for (std::size_t k = begin; k < end; ++k) {
     const Index i = view.active[k];
-    const Vec3 pace = view.force[i].cwiseProduct(share / view.stiffness[i]);
-    Vec3& velocity = view.velocity[i];
-    velocity = keep * velocity + (steer + timeStep_) * pace;
-    const double length = velocity.norm() * timeStep_, limit = stepLimit_ * view.radius[i];
-    if (length > limit) velocity *= limit / length;
-    view.step[k] = timeStep_ * velocity;
-  });
+    AgentMotion& motion = view.motion[i];
+    const Vec3 slowed = slowedUphill(motion, motion.force.dot(motion.velocity));
+    const Vec3 pace = motion.force.cwiseProduct(mobilityShare_ / motion.stiffness);
+    motion.velocity = keep_ * slowed + (steer_ + timeStep_) * pace;
+    const double length = motion.velocity.norm() * timeStep_, limit = stepLimit_ * view.radius[i];
+    if (length > limit) motion.velocity *= limit / length;
+    moves[k - begin] = timeStep_ * motion.velocity;
+  }
 }
 
 }  // namespace restenosis

@@ -15,14 +15,20 @@ class FireMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "fire";
   explicit FireMinimiser(const MechanicsParameters& parameters);
-  void step(const MinimiserView& view) override;
+  void total(const MinimiserView& view, std::size_t begin, std::size_t end,
+             StepTotals& totals) const override;
+  void begin(const StepTotals& totals) override;
+  void step(const MinimiserView& view, std::size_t begin, std::size_t end,
+            std::span<Vec3> moves) const override;
 
  private:
-  double axialFactor_;
+  Vec3 mobilityShare_;  ///< mobility times stiffness, by axis
   double stepLimit_;
   double timeStep_;
   double mixing_;
   int downhillSteps_ = 0;
+  double keep_ = 0;   ///< share of its velocity that an agent keeps in this step
+  double steer_ = 0;  ///< what it gets along its force instead, over its mobility
 };
 
 }  // namespace restenosis

@@ -1,33 +1,52 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "AgentMotion.h"
 #include "AgentStore.h"
 #include "MechanicsParameters.h"
 
 namespace restenosis {
 
-/// What a minimiser sees. Arrays are by agent, `step` is by place in `active`.
+/// What a minimiser sees. `motion` and `radius` are by agent.
 struct MinimiserView {
-  std::span<const Index> active;      ///< agents that move, ascending
-  std::span<const Vec3> force;        ///< residual force [N]
-  std::span<const double> stiffness;  ///< sum of the slopes of an agent's pair forces, never 0 [N/m]
-  std::span<const double> radius;     ///< [m]
-  std::span<Vec3> velocity;           ///< the minimiser's own; zero for an agent that has just become active
-  std::span<Vec3> step;               ///< output: how far to move [m], at most stepLimit x radius
+  std::span<const Index> active;  ///< agents that move, ascending
+  std::span<AgentMotion> motion;
+  std::span<const double> radius;  ///< [m]
 };
 
-/// A way to the equilibrium. Every agent takes one step towards smaller forces.
+/// What a step has to know of all agents together, found piece by piece.
+struct StepTotals {
+  double power = 0;     ///< F . v
+  double velocity = 0;  ///< v . M v, M the mass: see FireMinimiser
+  double force = 0;     ///< F . F / M
+  double stiffest = 0;  ///< largest stiffness [N/m]
+  void join(const StepTotals& o) {
+    power += o.power, velocity += o.velocity, force += o.force, stiffest = std::max(stiffest, o.stiffest);
+  }
+};
+
+/// A way to the equilibrium. Every agent takes one step towards smaller forces: total() for all, begin(),
+/// then step() for all.
 ///
 /// The axial part of every force counts `axialForceFactor` times (T6): the axial mobility. It changes the
 /// way, not the equilibrium.
 class Minimiser {
  public:
   virtual ~Minimiser() = default;
-  virtual void step(const MinimiserView& view) = 0;
+  /// Adds the active agents [begin, end), changing none. For several threads.
+  virtual void total(const MinimiserView& view, std::size_t begin, std::size_t end,
+                     StepTotals& totals) const = 0;
+  virtual void begin(const StepTotals& totals) = 0;
+  /// Sets moves[k - begin] of the active agents [begin, end): how far to move [m], at most stepLimit x
+  /// radius. For several threads, each agent once a step.
+  virtual void step(const MinimiserView& view, std::size_t begin, std::size_t end,
+                    std::span<Vec3> moves) const = 0;
 };
 
 /// The minimiser called `parameters.minimiser`. Throws std::invalid_argument naming the known ones.

@@ -12,11 +12,16 @@ class OverdampedMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "overdamped";
   explicit OverdampedMinimiser(const MechanicsParameters& parameters);
-  void step(const MinimiserView& view) override;
+  void total(const MinimiserView& view, std::size_t begin, std::size_t end,
+             StepTotals& totals) const override;
+  void begin(const StepTotals& totals) override;
+  void step(const MinimiserView& view, std::size_t begin, std::size_t end,
+            std::span<Vec3> moves) const override;
 
  private:
   double axialFactor_;
   double stepLimit_;
+  double mobility_ = 0;  ///< across the axis [m/N]
 };
 
 }  // namespace restenosis

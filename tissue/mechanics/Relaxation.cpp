@@ -105,13 +105,12 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
   RelaxingAgents& relaxing = standing.relaxing;
   const std::uint64_t evaluationsBefore = standing.forces.evaluations();
   const double settled = settledShare * parameters_.tolerance * characteristicForce_;
-  relaxing.begin();
-  const auto minimiser = makeMinimiser(parameters_);
+  relaxing.begin(makeMinimiser(parameters_));
 
   RelaxationReport report;
   report.converged = relaxing.allAsleep();
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
-    relaxing.advance(*minimiser);
+    relaxing.advance();
     ++report.iterations;
     const bool due = report.iterations % iterationsBetweenReviews == 0;
     const bool quiet = relaxing.awakeResidual() <= settled;

@@ -1,8 +1,9 @@
 #include "RelaxingAgents.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cmath>
+#include <utility>
 
 #include "Chunks.h"
 
@@ -27,14 +28,12 @@ constexpr double restingShare = 0.5;
 // ... and are farther than this many contacts from the restless, who need surroundings that give way.
 constexpr int shellsKept = 4;
 
+// Looking through the marks of all agents takes as long as sorting this many times fewer. Speed only.
+constexpr std::size_t marksOverSorting = 256;
+
 struct Any {
   bool found = false;
   void join(const Any& other) { found |= other.found; }
-};
-
-struct Largest {
-  double value = 0;
-  void join(const Largest& other) { value = std::max(value, other.value); }
 };
 
 }  // namespace
@@ -42,28 +41,56 @@ struct Largest {
 RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping)
     : forces_(forces), tolerance_(tolerance), sleeping_(sleeping) {}
 
-void RelaxingAgents::begin() {
+void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
+  minimiser_ = std::move(minimiser);
   for (const Index i : awake_) {
-    velocity_[i].setZero();
+    forces_.motion()[i].velocity.setZero();
     isAwake_[i] = 0;
   }
   awake_.clear();
-  velocity_.resize(forces_.size(), Vec3::Zero());
   isAwake_.resize(forces_.size(), 0);
   marked_.resize(forces_.size(), 0);
   wakeAnyone();
 }
 
-void RelaxingAgents::advance(Minimiser& minimiser) {
-  step_.resize(awake_.size());
+void RelaxingAgents::advance() {
+  minimiser_->begin(sight().totals);
   const AgentStore& agents = forces_.agents();
-  minimiser.step({awake_, forces_.force(), forces_.stiffness(), agents.radius, velocity_, step_});
-  const auto far = reduceInChunks<Any>(awake_.size(), [&](std::size_t k, Any& part) {
-    const Index i = awake_[k];
-    part.found |= forces_.moveTo(i, agents.position(i) + step_[k]);
+  const auto far = reducePieces<Any>(awake_.size(), [&](std::size_t begin, std::size_t end, Any& part) {
+    std::array<Vec3, chunkSize> moves;
+    minimiser_->step(view(), begin, end, moves);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index i = awake_[k];
+      part.found |= forces_.moveTo(i, agents.position(i) + moves[k - begin]);
+    }
   });
   if (far.found) forces_.updateLists(awake_, relisted_);
-  forces_.evaluate(awake_);
+  std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
+  forces_.evaluate(awake_,
+                   [&](std::size_t begin, std::size_t end) { look(begin, end, parts[begin / chunkSize]); });
+  sight_.emplace();
+  for (const Sight& part : parts) sight_->join(part);
+}
+
+void RelaxingAgents::Sight::join(const Sight& other) {
+  totals.join(other.totals);
+  residual = std::max(residual, other.residual);
+}
+
+MinimiserView RelaxingAgents::view() { return {awake_, forces_.motion(), forces_.agents().radius}; }
+
+void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
+  minimiser_->total(view(), begin, end, part.totals);
+  for (std::size_t k = begin; k < end; ++k)
+    part.residual = std::max(part.residual, forces_.residual(awake_[k]));
+}
+
+const RelaxingAgents::Sight& RelaxingAgents::sight() {
+  if (!sight_) {
+    sight_ = reducePieces<Sight>(
+        awake_.size(), [this](std::size_t begin, std::size_t end, Sight& part) { look(begin, end, part); });
+  }
+  return *sight_;
 }
 
 bool RelaxingAgents::wakeDisturbed() {
@@ -80,40 +107,45 @@ bool RelaxingAgents::wakeDisturbed() {
   const std::vector<Index> left = collect(relisted_, [&](Index i, const auto& take) { take(i, asleep); });
   beside.insert(beside.end(), left.begin(), left.end());
   relisted_.clear();
-  for (const Index j : beside) marked_[j] = 0;
-  std::ranges::sort(beside);
+  beside = unmarkAll(std::move(beside));
   forces_.evaluate(beside);
   forces_.doubt(beside);
-  std::erase_if(beside, [&](Index j) { return forces_.residual()[j] <= wakingShare * tolerance_; });
-  wakeAround(beside);
-  return !beside.empty();
+  const std::vector<Index> restless =
+      agentsOf(beside, [this](Index j) { return forces_.residual(j) > wakingShare * tolerance_; });
+  wakeAround(restless);
+  return !restless.empty();
 }
 
 bool RelaxingAgents::wakeAnyone() {
-  forces_.evaluateExactly(awake_);
+  // Whose force is as it was when this was last asked has been woken then, if it was to be
+  const std::vector<Index> computed = forces_.evaluateExactly(awake_);
+  sight_.reset();
   relisted_.clear();
-  std::vector<Index> restless;
-  std::ranges::copy_if(forces_.free(), std::back_inserter(restless),
-                       [&](Index i) { return !isAwake_[i] && forces_.residual()[i] > tolerance_; });
-  wakeAround(restless);
+  wakeAround(
+      agentsOf(computed, [this](Index i) { return !isAwake_[i] && forces_.residual(i) > tolerance_; }));
   return awakeResidual() > tolerance_;
 }
 
 template <class Look>
 std::vector<Index> RelaxingAgents::collect(const std::vector<Index>& agents, Look&& look) {
-  std::vector<std::vector<Index>> parts((agents.size() + chunkSize - 1) / chunkSize);
-  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<Index>& part = parts[begin / chunkSize];
+  return gatherPieces(agents.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
     const auto take = [&](Index j, const auto& wanted) {
       std::atomic_ref<std::uint8_t> mark(marked_[j]);
       if (mark.load(std::memory_order_relaxed) || !wanted(j)) return;
-      if (!mark.exchange(1, std::memory_order_relaxed)) part.push_back(j);
+      if (!mark.exchange(1, std::memory_order_relaxed)) found.push_back(j);
     };
     for (std::size_t k = begin; k < end; ++k) look(agents[k], take);
   });
-  std::vector<Index> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+}
+
+std::vector<Index> RelaxingAgents::unmarkAll(std::vector<Index> marked) {
+  if (marked.size() < marked_.size() / marksOverSorting) {
+    std::ranges::sort(marked);
+  } else {
+    marked = agentsThat(marked_.size(), [this](Index i) { return marked_[i] != 0; });
+  }
+  for (const Index i : marked) marked_[i] = 0;
+  return marked;
 }
 
 template <class Wanted>
@@ -134,15 +166,12 @@ std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents
 void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
   wake(restless);
   std::vector<Index> sleepers =
-      markPartners(restless, [this](Index j) { return !isAwake_[j] && forces_.isFree(j); });
-  for (const Index j : sleepers) marked_[j] = 0;
-  std::ranges::sort(sleepers);
+      unmarkAll(markPartners(restless, [this](Index j) { return !isAwake_[j] && forces_.isFree(j); }));
   wake(sleepers);
   const auto share = static_cast<std::size_t>(localShare * static_cast<double>(forces_.free().size()));
   const bool local = awake_.size() <= std::max(localCount, share) && (sleeping_ || awake_.empty());
   if (!local) {
-    std::vector<Index> rest;
-    std::ranges::copy_if(forces_.free(), std::back_inserter(rest), [&](Index i) { return !isAwake_[i]; });
+    const std::vector<Index> rest = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
     wake(rest);
     std::ranges::copy(rest, std::back_inserter(sleepers));
     std::ranges::sort(sleepers);
@@ -152,9 +181,7 @@ void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
 
 void RelaxingAgents::retireQuiet(double settled) {
   if (!sleeping_) return;
-  std::vector<Index> kept;
-  std::ranges::copy_if(awake_, std::back_inserter(kept),
-                       [&](Index i) { return forces_.residual()[i] > settled; });
+  std::vector<Index> kept = agentsOf(awake_, [&](Index i) { return forces_.residual(i) > settled; });
   if (static_cast<double>(kept.size()) > fewRestless * static_cast<double>(awake_.size())) return;
   for (const Index i : kept) marked_[i] = 1;
   std::vector<Index> shell = kept;
@@ -162,36 +189,29 @@ void RelaxingAgents::retireQuiet(double settled) {
     shell = markPartners(shell, [this](Index j) { return isAwake_[j] != 0; });
     kept.insert(kept.end(), shell.begin(), shell.end());
   }
-  for (const Index i : awake_) {
-    isAwake_[i] = marked_[i] || forces_.residual()[i] > restingShare * settled;
-    if (!isAwake_[i]) velocity_[i].setZero();
-  }
+  awake_ = agentsOf(awake_, [&](Index i) {
+    isAwake_[i] = marked_[i] || forces_.residual(i) > restingShare * settled;
+    if (!isAwake_[i]) forces_.motion()[i].velocity.setZero();
+    return isAwake_[i] != 0;
+  });
   for (const Index i : kept) marked_[i] = 0;
-  std::erase_if(awake_, [&](Index i) { return !isAwake_[i]; });
+  sight_.reset();
 }
 
 void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
   for (const Index i : sleepers) isAwake_[i] = 1;
   forces_.startMoving(sleepers);
   const auto middle = static_cast<std::ptrdiff_t>(awake_.size());
+  if (!sleepers.empty()) sight_.reset();
   awake_.insert(awake_.end(), sleepers.begin(), sleepers.end());
   std::inplace_merge(awake_.begin(), awake_.begin() + middle, awake_.end());
 }
 
-double RelaxingAgents::awakeResidual() const {
-  return reduceInChunks<Largest>(awake_.size(),
-                                 [&](std::size_t k, Largest& part) {
-                                   part.value = std::max(part.value, forces_.residual()[awake_[k]]);
-                                 })
-      .value;
-}
-
-double RelaxingAgents::residual() const {
-  return forces_.residual().empty() ? 0 : forces_.residual()[worstAgent()];
-}
+double RelaxingAgents::residual() const { return forces_.size() == 0 ? 0 : forces_.residual(worstAgent()); }
 
 Index RelaxingAgents::worstAgent() const {
-  return static_cast<Index>(std::ranges::max_element(forces_.residual()) - forces_.residual().begin());
+  return static_cast<Index>(std::ranges::max_element(forces_.motion(), {}, &AgentMotion::residual) -
+                            forces_.motion().begin());
 }
 
 }  // namespace restenosis

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "AgentForces.h"
@@ -20,10 +22,10 @@ class RelaxingAgents {
   RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping);
 
   /// Sends everybody to sleep, computes all forces that may have changed and wakes the agents above the
-  /// tolerance.
-  void begin();
+  /// tolerance. `minimiser` moves them from now on.
+  void begin(std::unique_ptr<Minimiser> minimiser);
   /// One step of the awake agents, then the forces on them.
-  void advance(Minimiser& minimiser);
+  void advance();
   /// Computes the forces on all sleeping agents next to an awake one and wakes those clearly above the
   /// tolerance; tells whether there were any.
   bool wakeDisturbed();
@@ -37,7 +39,7 @@ class RelaxingAgents {
   /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
   /// Largest residual of the awake agents [N].
-  double awakeResidual() const;
+  double awakeResidual() { return sight().residual; }
   /// Largest residual of all free agents, as last computed [N].
   double residual() const;
   /// Agent with the largest residual of all.
@@ -52,21 +54,33 @@ class RelaxingAgents {
   /// marked yet and wanted(j), which is asked of unmarked ones only; returns them in no particular order.
   template <class Look>
   std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
+  /// The same agents, which are all that are marked, in ascending order and no more marked.
+  std::vector<Index> unmarkAll(std::vector<Index> marked);
   /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
   /// for its surroundings; all, if many are awake then.
   void wakeAround(const std::vector<Index>& restless);
   void wake(const std::vector<Index>& sleepers);
+  /// What the forces on awake agents amount to.
+  struct Sight {
+    StepTotals totals;
+    double residual = 0;  ///< the largest [N]
+    void join(const Sight& other);
+  };
+  void look(std::size_t begin, std::size_t end, Sight& part);
+  /// Of all awake agents; found when their forces are computed, or now.
+  const Sight& sight();
+  MinimiserView view();
 
   AgentForces& forces_;
   double tolerance_;  ///< [N]
   bool sleeping_;
 
-  std::vector<Vec3> velocity_;
+  std::unique_ptr<Minimiser> minimiser_;
   std::vector<std::uint8_t> isAwake_;
   std::vector<Index> awake_;
+  std::optional<Sight> sight_;        ///< nothing where awake_ or its forces have changed since
   std::vector<Index> relisted_;       ///< whose neighbours have changed since sleepers were looked at
   std::vector<std::uint8_t> marked_;  ///< scratch
-  std::vector<Vec3> step_;
 };
 
 }  // namespace restenosis

@@ -4,11 +4,10 @@
 
 #include <stdexcept>
 
+#include "Chunks.h"
+
 namespace restenosis {
 namespace {
-
-// Fewer points are not worth waking other threads for.
-constexpr std::ptrdiff_t parallelFrom = 16384;
 
 std::vector<Vec3> finitePositions(const AgentStore& agents) {
   std::vector<Vec3> points(agents.size());
@@ -30,7 +29,7 @@ CellGrid::CellGrid(const AgentStore& agents, double cellSize) : CellGrid(finiteP
 CellGrid::CellGrid(std::span<const Vec3> points, double cellSize) : lattice_(points, cellSize) {
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   std::vector<std::uint32_t> cell(points.size());
-#pragma omp parallel for schedule(static) if (count > parallelFrom)
+#pragma omp parallel for schedule(static) if (count >= parallelLookFrom)
   for (std::ptrdiff_t i = 0; i < count; ++i) cell[i] = lattice_.cellOf(points[i]);
 
   // While agents are put in, the entry after a cell's is where its next one goes: at last, the next cell's

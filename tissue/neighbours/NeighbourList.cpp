@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "CellGrid.h"
+#include "Chunks.h"
 #include "NeighbourQuery.h"
 #include "Room.h"
 
@@ -164,17 +165,9 @@ NeighbourList::Change NeighbourList::update(const AgentStore& agents, const Neig
 }
 
 NeighbourList::Change NeighbourList::update(const AgentStore& agents, std::span<const Index> moved) {
-  std::vector<Index> names;
-  bool necessary = false;
-  for (const Index i : moved) {
-    const Anchor& anchor = anchors_[i];
-    const Vec3 position = agents.position(i);
-    const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
-    if (room >= 0 && (position - anchor.position).squaredNorm() <= room * room) continue;
-    names.push_back(i);
-    necessary |= movedTooFar(i, position);
-  }
-  if (!necessary) return {};
+  const std::vector<Index> names =
+      agentsOf(moved, [&](Index i) { return hasLittleLeft(i, agents.position(i)); });
+  if (std::ranges::none_of(names, [&](Index i) { return movedTooFar(i, agents.position(i)); })) return {};
   if (worthLookingUp(names)) return {.all = false, .agents = lookUp(agents, names)};
   build(agents, range_);
   return {.all = true, .agents = {}};
@@ -193,30 +186,31 @@ std::size_t NeighbourList::pairCount() const {
 
 bool NeighbourList::sameAgents(const AgentStore& agents) const {
   if (agents.size() < size()) return false;
-  for (Index i = 0; i < size(); ++i) {
-    if (agents.id[i] != anchors_[i].id) return false;
-  }
-  return true;
+  return agentsThat(size(), [&](Index i) { return agents.id[i] != anchors_[i].id; }).empty();
 }
 
 std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
-  std::vector<Index> used;
-  bool necessary = agents.size() > size();
-  for (Index i = 0; i < size(); ++i) {
+  const auto changed = [&](Index i) { return anchors_[i].daughter != agents.has(i, AgentFlag::daughter); };
+  std::vector<Index> used = agentsThat(size(), [&](Index i) {
     Anchor& anchor = anchors_[i];
     const double growth = std::max(0.0, agents.radius[i] - anchor.radius);
     anchor.allowance = std::max(0.0, range_.skin / 2 - widestFactor(range_) * growth);
-    const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
-    const double moved2 = (agents.position(i) - anchor.position).squaredNorm();
-    const bool changed = anchor.daughter != agents.has(i, AgentFlag::daughter);
-    if (!changed && room >= 0 && moved2 <= room * room) continue;
-    used.push_back(i);
-    necessary |=
-        changed || movedTooFar(i, agents.position(i)) || widestFactor(range_) * growth > range_.skin / 2;
-  }
+    return changed(i) || hasLittleLeft(i, agents.position(i));
+  });
+  const bool necessary = agents.size() > size() || std::ranges::any_of(used, [&](Index i) {
+                           const double growth = agents.radius[i] - anchors_[i].radius;
+                           return changed(i) || movedTooFar(i, agents.position(i)) ||
+                                  widestFactor(range_) * growth > range_.skin / 2;
+                         });
   if (!necessary) return {};
   for (Index i = size(); i < agents.size(); ++i) used.push_back(i);
   return used;
+}
+
+bool NeighbourList::hasLittleLeft(Index i, const Vec3& position) const {
+  const Anchor& anchor = anchors_[i];
+  const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
+  return !(room >= 0 && (position - anchor.position).squaredNorm() <= room * room);
 }
 
 void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {

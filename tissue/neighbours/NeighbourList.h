@@ -76,6 +76,8 @@ class NeighbourList {
     std::uint32_t count = 0, room = 0;
   };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
+  /// Whether agent i at `position` is to be looked up when others must be.
+  bool hasLittleLeft(Index i, const Vec3& position) const;
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
   bool worthLookingUp(const std::vector<Index>& names) const;

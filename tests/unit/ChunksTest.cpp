@@ -1,0 +1,40 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "Chunks.h"
+
+namespace restenosis {
+namespace {
+
+// Below, at and above a piece and the length from which several threads look.
+constexpr std::size_t counts[]{0, 1, 255, 256, 257, 16383, 16384, 50001};
+
+TEST(Chunks, FindAgentsInAscendingOrder) {
+  for (const std::size_t count : counts) {
+    const std::vector<Index> found = agentsThat(count, [](Index i) { return i % 7 == 3; });
+    EXPECT_EQ(found.size(), (count + 3) / 7) << count;
+    for (std::size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k], 7 * k + 3) << count;
+  }
+}
+
+TEST(Chunks, KeepTheOrderOfAList) {
+  for (const std::size_t count : counts) {
+    std::vector<Index> agents(count);
+    std::iota(agents.rbegin(), agents.rend(), Index{0});
+    const std::vector<Index> found = agentsOf(agents, [](Index i) { return i % 2 == 0; });
+    EXPECT_EQ(found.size(), (count + 1) / 2) << count;
+    EXPECT_TRUE(std::ranges::is_sorted(found, std::greater())) << count;
+  }
+}
+
+TEST(Chunks, JoinWhatPiecesTellInTheirOrder) {
+  const auto told = gatherPieces(1000, [](std::size_t begin, std::size_t end, std::vector<Index>& out) {
+    out.push_back(static_cast<Index>(begin));
+    out.push_back(static_cast<Index>(end));
+  });
+  EXPECT_EQ(told, (std::vector<Index>{0, 256, 256, 512, 512, 768, 768, 1000}));
+}
+
+}  // namespace
+}  // namespace restenosis

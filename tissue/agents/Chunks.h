@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "AgentStore.h"
+
+namespace restenosis {
+
+/// Loops over fixed pieces of a range: the pieces, and with them the order of every sum, do not depend on the
+/// number of threads.
+inline constexpr std::ptrdiff_t chunkSize = 256;
+
+/// Shorter loops are not worth waking other threads for: those over work, and those that only look.
+inline constexpr std::ptrdiff_t parallelFrom = 2048, parallelLookFrom = 16384;
+
+/// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel where count >= from.
+template <class F>
+void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
+  const auto end = static_cast<std::ptrdiff_t>(count);
+#pragma omp parallel for schedule(dynamic) if (end >= from)
+  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize)
+    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)));
+}
+
+/// Calls f(k) for k in [0, count), pieces in parallel.
+template <class F>
+void forEachInChunks(std::size_t count, F&& f) {
+  forEachPiece(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) f(k);
+  });
+}
+
+/// Lets f(begin, end, part) add elements [begin, end) to the `part` of a piece, then joins the parts in
+/// order: total.join(part).
+template <class Sum, class F>
+Sum reducePieces(std::size_t count, F&& f) {
+  const auto end = static_cast<std::ptrdiff_t>(count);
+  std::vector<Sum> parts((count + chunkSize - 1) / chunkSize);
+#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
+  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
+    Sum part{};
+    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)), part);
+    parts[begin / chunkSize] = part;
+  }
+  Sum total{};
+  for (const Sum& part : parts) total.join(part);
+  return total;
+}
+
+/// Lets f(k, part) add element k to the `part` of its piece, then joins the parts in order: total.join(part).
+template <class Sum, class F>
+Sum reduceInChunks(std::size_t count, F&& f) {
+  return reducePieces<Sum>(count, [&](std::size_t begin, std::size_t end, Sum& part) {
+    for (std::size_t k = begin; k < end; ++k) f(k, part);
+  });
+}
+
+/// What the pieces of [0, count) have to tell, one after the other: f(begin, end, told) appends to `told`.
+template <class F>
+std::vector<Index> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
+  std::vector<std::vector<Index>> parts((count + chunkSize - 1) / chunkSize);
+  forEachPiece(
+      count, [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / chunkSize]); }, from);
+  std::size_t size = 0;
+  for (const auto& part : parts) size += part.size();
+  std::vector<Index> all;
+  all.reserve(size);
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// The agents of [0, count) that are wanted(i), in ascending order.
+template <class Wanted>
+std::vector<Index> agentsThat(std::size_t count, Wanted&& wanted) {
+  return gatherPieces(
+      count,
+      [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if (wanted(static_cast<Index>(i))) found.push_back(static_cast<Index>(i));
+        }
+      },
+      parallelLookFrom);
+}
+
+/// Those of `agents` that are wanted(i), in their order.
+template <class Wanted>
+std::vector<Index> agentsOf(std::span<const Index> agents, Wanted&& wanted) {
+  return gatherPieces(
+      agents.size(),
+      [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+        for (const Index i : agents.subspan(begin, end - begin)) {
+          if (wanted(i)) found.push_back(i);
+        }
+      },
+      parallelLookFrom);
+}
+
+}  // namespace restenosis
