@@ -14,7 +14,7 @@
 /// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
 int main(int argc, char** argv) {
   using namespace restenosis;
-  waitWithoutSpinning(argv);
+  letWaitingThreadsSleep(argv);
   returnLargeArrays();
 
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
