@@ -28,7 +28,8 @@ constexpr double restingShare = 0.5;
 // ... and are farther than this many contacts from the restless, who need surroundings that give way.
 constexpr int shellsKept = 4;
 
-// Looking through the marks of all agents takes as long as sorting this many times fewer. Speed only.
+// Fewer agents than one of this many are sorted; for more, the marks of all are looked through. Speed only,
+// not measured.
 constexpr std::size_t marksOverSorting = 256;
 
 struct Any {
