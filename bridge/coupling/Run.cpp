@@ -300,7 +300,6 @@ void Run::writeSummary() {
   }
   summary.relaxationIterations = world_.relaxation.iterations;
   summary.agentEvaluations = world_.relaxation.agentEvaluations;
-  summary.evaluationsIfAllAwake = world_.relaxation.evaluationsIfAllAwake;
   summary.poiseuille = poiseuille();
   summary.parts = world_.timer.costs();
   summary.remarks = world_.remarks;

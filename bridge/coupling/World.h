@@ -53,12 +53,11 @@ struct FlowState {
 /// What bringing growing tissue back to equilibrium took since the start.
 struct RelaxationWork {
   std::uint64_t iterations = 0;
-  std::uint64_t agentEvaluations = 0;       ///< forces computed, one an agent
-  std::uint64_t evaluationsIfAllAwake = 0;  ///< what as many iterations of all free agents would take
+  std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
 
   template <class Archive>
   void archive(Archive& a) {
-    a(iterations, agentEvaluations, evaluationsIfAllAwake);
+    a(iterations, agentEvaluations);
   }
 };
 

@@ -77,8 +77,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["final"] = finalValues(summary.last);
   json["flow"] = flowSolves(summary);
   json["relaxation"] = {{"iterations", summary.relaxationIterations},
-                        {"agentEvaluations", summary.agentEvaluations},
-                        {"evaluationsIfAllAwake", summary.evaluationsIfAllAwake}};
+                        {"agentEvaluations", summary.agentEvaluations}};
   json["poiseuille"] = poiseuille(summary);
   json["parts"] = partCosts(summary);
   double total = 0;

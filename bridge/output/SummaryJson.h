@@ -26,7 +26,7 @@ struct Summary {
   std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
   std::uint64_t flowMeshesMoved = 0;                       ///< solves in the former mesh, moved
   std::map<std::string, std::uint64_t> flowRemeshed;  ///< the others, where meshes may be moved, by reason
-  std::uint64_t relaxationIterations = 0, agentEvaluations = 0, evaluationsIfAllAwake = 0;
+  std::uint64_t relaxationIterations = 0, agentEvaluations = 0;
   std::optional<PoiseuilleError> poiseuille;  ///< in scenes where the exact stress is known
   std::map<std::string, PartCost> parts;
   std::vector<std::string> remarks;  ///< warnings and retries of all parts

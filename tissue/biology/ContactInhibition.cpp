@@ -13,7 +13,7 @@ namespace {
 constexpr double nearRange = 1.5;
 
 /// Marks of the reference configuration.
-enum Mark : std::uint8_t { usesFlags = 1, isInhibited = 2, isExposed = 4 };
+enum Mark : std::uint8_t { usesFlags = 1, isInhibited = 2, isExposed = 4, coveredByNear = 8 };
 
 bool couldUse(const AgentStore& agents, Index i) {
   return agents.kind[i] == AgentKind::smc && agents.has(i, synthetic) && !agents.has(i, fixed);
@@ -26,6 +26,7 @@ ContactInhibition::ContactInhibition(const ContactInhibitionParameters& paramete
     : measure_(parameters),
       law_(std::move(law)),
       range_(std::max(measure_.range(), law_ ? law_->range() : 0.0)),
+      startsNear_(nearRange < range_ && (!law_ || law_->range() <= nearRange)),
       tolerance_(parameters.changeTolerance),
       vesselLength_(vesselLength) {}
 
@@ -50,10 +51,11 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
 #pragma omp parallel for schedule(dynamic, 64) if (places.size() > parallelThreshold)
     for (std::size_t k = 0; k < places.size(); ++k) {
-      neighbours.forEachWithin(range_, places[k].centre, places[k].radius,
-                               [&due](Index j, const Vec3&, double) {
-                                 std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
-                               });
+      const auto [centre, radius] = places[k];
+      neighbours.forEachWithin(range_, centre, radius, [&](Index j, const Vec3&, double distance) {
+        const bool near = distance <= nearRange * (radius + reference_.shapes().radius[j]);
+        if (near || !(marks[j] & coveredByNear)) std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
+      });
     }
     for (Index i = 0; i < agents.size(); ++i) {
       if (due[i] && couldUse(agents, i)) cells.push_back(i);
@@ -81,11 +83,13 @@ std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Inde
     neighbours.gather(cell, range, scratch);
     return {radius, measure_.exposed(radius, scratch), scratch};
   };
-  // Most cells are covered by those they touch, and more neighbours can only cover more.
-  const bool nearIsEnough = nearRange < range_ && (!law_ || law_->range() <= nearRange);
-  Surroundings surroundings = judgeWithin(nearIsEnough ? nearRange : range_);
-  if (nearIsEnough && surroundings.exposed) surroundings = judgeWithin(range_);
+  Surroundings surroundings = judgeWithin(startsNear_ ? nearRange : range_);
   std::uint8_t mark = usesFlags;
+  if (startsNear_ && !surroundings.exposed) {
+    mark |= coveredByNear;
+  } else if (startsNear_) {
+    surroundings = judgeWithin(range_);
+  }
   if (surroundings.exposed) mark |= isExposed;
   if (law_ && law_->inhibits(surroundings)) mark |= isInhibited;
   return mark;

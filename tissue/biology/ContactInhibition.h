@@ -53,6 +53,9 @@ class ContactInhibition {
   ExposureMeasure measure_;
   std::unique_ptr<const ContactInhibitionLaw> law_;
   double range_;
+  /// Whether a cell that its near neighbours cover is looked at no farther: most are covered by those they
+  /// touch, and more neighbours can only cover more.
+  bool startsNear_;
   double tolerance_;
   double vesselLength_;
   ReferenceConfiguration reference_;

@@ -51,7 +51,7 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
       precision, {"automatic", "mixed", "double"},
       {.key = "precision",
        .source = "assumed",
-       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 0.001 on"});
+       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 0.01 on"});
   p.quantity(tolerance, {.key = "tolerance",
                          .minimum = 1e-8,
                          .maximum = 10,

@@ -17,9 +17,8 @@ namespace restenosis {
 /// What a relaxation did.
 struct RelaxationReport {
   int iterations = 0;
-  double residual = 0;                      ///< largest force left on a free agent over C r0^2
-  std::uint64_t agentEvaluations = 0;       ///< forces computed, one an agent
-  std::uint64_t evaluationsIfAllAwake = 0;  ///< what as many iterations of all free agents would take
+  double residual = 0;                 ///< largest force left on a free agent over C r0^2
+  std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
   bool converged = false;
 };
 
@@ -32,7 +31,7 @@ struct RelaxationFailed : std::runtime_error {
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
 /// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
 ///
-/// Quiet regions sleep: only agents with a residual above the tolerance, and those they disturb, are moved,
+/// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
 /// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
 /// number of threads.
 class Relaxation {

@@ -12,21 +12,14 @@ namespace {
 
 // A disturbance of more agents than this share is no local one: it reaches everybody, and sleepers would only
 // hold the others back, being woken layer by layer.
-constexpr double localShare = 0.5;
+constexpr double fewShare = 0.5;
 // A disturbance of fewer is local however small the tissue.
-constexpr std::size_t localCount = 500;
+constexpr std::size_t fewAgents = 500;
 
 // Sleepers beside moving agents wake above this many times the tolerance, the others when all are checked in
 // double precision. It is above what mixed precision errs by, so that an agent that is merely listed, its
 // force unchanged, never wakes: who wakes must not depend on the list.
 constexpr double wakingShare = 1.1;
-
-// Where no more than this share of the awake agents is restless, the others may sleep ...
-constexpr double fewRestless = 0.3;
-// ... if they have come to rest to this share of what counts as settled ...
-constexpr double restingShare = 0.5;
-// ... and are farther than this many contacts from the restless, who need surroundings that give way.
-constexpr int shellsKept = 4;
 
 // Fewer agents than one of this many are sorted; for more, the marks of all are looked through. Speed only,
 // not measured.
@@ -44,6 +37,7 @@ RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleep
 
 void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
+  keepAwake_ = false;
   for (const Index i : awake_) {
     forces_.motion()[i].velocity.setZero();
     isAwake_[i] = 0;
@@ -113,7 +107,7 @@ bool RelaxingAgents::wakeDisturbed() {
   forces_.doubt(beside);
   const std::vector<Index> restless =
       agentsOf(beside, [this](Index j) { return forces_.residual(j) > wakingShare * tolerance_; });
-  wakeAround(restless);
+  wakeRestless(restless);
   return !restless.empty();
 }
 
@@ -122,7 +116,7 @@ bool RelaxingAgents::wakeAnyone() {
   const std::vector<Index> computed = forces_.evaluateExactly(awake_);
   sight_.reset();
   relisted_.clear();
-  wakeAround(
+  wakeRestless(
       agentsOf(computed, [this](Index i) { return !isAwake_[i] && forces_.residual(i) > tolerance_; }));
   return awakeResidual() > tolerance_;
 }
@@ -149,53 +143,40 @@ std::vector<Index> RelaxingAgents::unmarkAll(std::vector<Index> marked) {
   return marked;
 }
 
-template <class Wanted>
-std::vector<Index> RelaxingAgents::markPartners(const std::vector<Index>& agents, const Wanted& wanted) {
-  const AgentStore& store = forces_.agents();
-  return collect(agents, [&](Index i, const auto& take) {
-    const Vec3 here = store.position(i);
-    // Those that touch, not all listed: who wakes must not depend on the list.
-    const auto wantedAndTouching = [&](Index j) {
-      const double radii = store.radius[i] + store.radius[j];
-      return wanted(j) && (here - store.position(j)).squaredNorm() < radii * radii;
-    };
-    for (const Index j : forces_.neighbours().of(i)) take(j, wantedAndTouching);
-    for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, wanted);
-  });
+bool RelaxingAgents::areFew(std::size_t agents) const {
+  return agents <=
+         std::max(fewAgents, static_cast<std::size_t>(fewShare * static_cast<double>(forces_.free().size())));
 }
 
-void RelaxingAgents::wakeAround(const std::vector<Index>& restless) {
-  wake(restless);
-  std::vector<Index> sleepers =
-      unmarkAll(markPartners(restless, [this](Index j) { return !isAwake_[j] && forces_.isFree(j); }));
-  wake(sleepers);
-  const auto share = static_cast<std::size_t>(localShare * static_cast<double>(forces_.free().size()));
-  const bool local = awake_.size() <= std::max(localCount, share) && (sleeping_ || awake_.empty());
-  if (!local) {
-    const std::vector<Index> rest = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
-    wake(rest);
-    std::ranges::copy(rest, std::back_inserter(sleepers));
-    std::ranges::sort(sleepers);
+void RelaxingAgents::wakeRestless(const std::vector<Index>& restless) {
+  if (restless.empty()) return;
+  if (mayAnyoneSleep() && areFew(awake_.size() + restless.size())) {
+    wake(restless);
+  } else {
+    wakeAllAsleep();
   }
+}
+
+void RelaxingAgents::wakeAll() {
+  keepAwake_ = true;
+  wakeAllAsleep();
+}
+
+void RelaxingAgents::wakeAllAsleep() {
+  const std::vector<Index> sleepers = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
+  wake(sleepers);
   forces_.evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
 }
 
 void RelaxingAgents::retireQuiet(double settled) {
-  if (!sleeping_) return;
-  std::vector<Index> kept = agentsOf(awake_, [&](Index i) { return forces_.residual(i) > settled; });
-  if (static_cast<double>(kept.size()) > fewRestless * static_cast<double>(awake_.size())) return;
-  for (const Index i : kept) marked_[i] = 1;
-  std::vector<Index> shell = kept;
-  for (int n = 0; n < shellsKept; ++n) {
-    shell = markPartners(shell, [this](Index j) { return isAwake_[j] != 0; });
-    kept.insert(kept.end(), shell.begin(), shell.end());
+  if (!mayAnyoneSleep()) return;
+  std::vector<Index> restless = agentsOf(awake_, [&](Index i) { return forces_.residual(i) > settled; });
+  if (!areFew(restless.size())) return;
+  for (const Index i : agentsOf(awake_, [&](Index j) { return forces_.residual(j) <= settled; })) {
+    isAwake_[i] = 0;
+    forces_.motion()[i].velocity.setZero();
   }
-  awake_ = agentsOf(awake_, [&](Index i) {
-    isAwake_[i] = marked_[i] || forces_.residual(i) > restingShare * settled;
-    if (!isAwake_[i]) forces_.motion()[i].velocity.setZero();
-    return isAwake_[i] != 0;
-  });
-  for (const Index i : kept) marked_[i] = 0;
+  awake_ = std::move(restless);
   sight_.reset();
 }
 

@@ -30,11 +30,16 @@ class RelaxingAgents {
   /// tolerance; tells whether there were any.
   bool wakeDisturbed();
 
-  /// Where few of the awake agents have a residual above `settled` [N], puts those to sleep that have come to
-  /// rest away from them.
+  /// Puts the awake agents to sleep that have come to rest: to a residual of `settled` [N]. Where many have
+  /// not, nobody falls asleep.
   void retireQuiet(double settled);
 
+  /// Wakes everybody; nobody falls asleep before the next begin().
+  void wakeAll();
+
   bool allAsleep() const { return awake_.empty(); }
+  bool fewAreAwake() const { return areFew(awake_.size()); }
+  bool mayAnyoneSleep() const { return sleeping_ && !keepAwake_; }
   /// Computes in double precision all forces that may have changed since it did so last, and wakes the agents
   /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
@@ -46,19 +51,17 @@ class RelaxingAgents {
   Index worstAgent() const;
 
  private:
-  /// Marks the agents that touch or are bonded to one of `agents`, are not marked yet and `wanted`; returns
-  /// them in no particular order.
-  template <class Wanted>
-  std::vector<Index> markPartners(const std::vector<Index>& agents, const Wanted& wanted);
   /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
   /// marked yet and wanted(j), which is asked of unmarked ones only; returns them in no particular order.
   template <class Look>
   std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
   /// The same agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
-  /// Wakes the restless and those they touch or are bonded to, so that a disturbance does not have to wait
-  /// for its surroundings; all, if many are awake then.
-  void wakeAround(const std::vector<Index>& restless);
+  /// Whether a disturbance of so many is a local one.
+  bool areFew(std::size_t agents) const;
+  /// Wakes them; all, if many are awake then.
+  void wakeRestless(const std::vector<Index>& restless);
+  void wakeAllAsleep();
   void wake(const std::vector<Index>& sleepers);
   /// What the forces on awake agents amount to.
   struct Sight {
@@ -74,6 +77,7 @@ class RelaxingAgents {
   AgentForces& forces_;
   double tolerance_;  ///< [N]
   bool sleeping_;
+  bool keepAwake_ = false;
 
   std::unique_ptr<Minimiser> minimiser_;
   std::vector<std::uint8_t> isAwake_;

@@ -22,7 +22,6 @@ void RelaxPart::run(const Instant& now) {
   const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
   world_.relaxation.agentEvaluations += report.agentEvaluations;
-  world_.relaxation.evaluationsIfAllAwake += report.evaluationsIfAllAwake;
   // What is recorded is copied: the relaxation makes room, or both together would be the peak of memory.
   if (now.recorded) relaxation_.forget();
   world_.changes.markRead(name(), Quantity::cellStates);
