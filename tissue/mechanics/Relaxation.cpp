@@ -27,7 +27,8 @@ constexpr double settledShareOfAll = 0.9;
 // of agents that are hardly touched.
 constexpr double softestContact = 1.2;
 
-// Mixed precision errs by some 10^-6 of the forces on an agent, which may be a hundred times C r0^2.
+// Mixed precision errs by some 10^-6 of the forces on an agent, which may be a hundred times C r0^2; few
+// agents settle at a fiftieth of the tolerance.
 constexpr double leastMixedTolerance = 0.01;
 
 // How far beyond contact the neighbour list looks, over r0. Speed only: results do not depend on it.
