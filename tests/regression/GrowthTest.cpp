@@ -63,7 +63,7 @@ TEST_F(Growth, LeavesNoDoublets) {
     ++daughters;
     doublets += isHalfOfADoublet(cell, after);
   }
-  EXPECT_GT(daughters, 400);
+  EXPECT_GT(daughters, 200) << "too few for the share below to mean anything";
   EXPECT_LT(doublets, 0.005 * daughters);
 }
 
