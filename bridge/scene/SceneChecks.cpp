@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "NitricOxide.h"
 #include "VesselValidation.h"
 
 namespace restenosis {
@@ -131,6 +132,12 @@ Finding phasesBelowZero(const Scene& s, const Units& u) {
                      shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
 }
 
+Finding nitricOxideFalls(const Scene& s, const Units&) {
+  if (!s.endothelium) return {};
+  std::string problem = NitricOxide::problem(*s.endothelium);
+  return problem.empty() ? Finding() : Finding(std::move(problem));
+}
+
 Finding driveWithoutGradient(const Scene& s, const Units&) {
   if (!s.flow || s.flow->drive != "pressureGradient" || s.flow->pressureGradient > 0) return {};
   return "'pressureGradient' is 0, so nothing flows with drive = \"pressureGradient\"; take [flow] out "
@@ -165,6 +172,9 @@ const std::vector<Check>& checks() {
         "vessel.packingFraction", "vessel.agents", "mechanics"},
        tooManyAgents},
       {{"cellCycle.g1Spread", "cellCycle.g1Mean"}, phasesBelowZero},
+      {{"endothelium.nitricOxideTransition", "endothelium.nitricOxideSlope",
+        "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
+       nitricOxideFalls},
       {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter"}, surfaceTooCoarse},
   };

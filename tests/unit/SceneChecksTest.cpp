@@ -103,6 +103,10 @@ TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
                 "x.toml:8: 'g1Spread' is 6 h");
   EXPECT_STARTS(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"0 Pa/m\"\n"),
                 "x.toml:8: 'pressureGradient' is 0");
+  const std::string cycle = vessel + "[mechanics]\n[cellCycle]\n[endothelium]\n";  // lines 6 to 8
+  EXPECT_EQ(finding(cycle), "accepted");
+  EXPECT_STARTS(finding(cycle + "nitricOxideTransition = \"0.1 Pa\"\n"),
+                "x.toml:9: nitric oxide would fall with wall shear stress above 'nitricOxideTransition'");
   EXPECT_STARTS(finding(vessel + "[coupling]\nsurfaceResolution = \"200 um\"\n"),
                 "x.toml:7: 'surfaceResolution' is 200 um");
 }

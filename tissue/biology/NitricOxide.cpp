@@ -1,5 +1,7 @@
 #include "NitricOxide.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,25 +10,34 @@
 
 namespace restenosis {
 
-NitricOxide::NitricOxide(const EndotheliumParameters& parameters) : p_(parameters) {
-  const double vertex = -p_.nitricOxideFirst / (2 * p_.nitricOxideSecond);
-  const double atTransition = p_.nitricOxideSlope * p_.nitricOxideTransition;
-  if (vertex > p_.nitricOxideTransition && parabola(p_.nitricOxideTransition) > atTransition) {
-    throw std::invalid_argument(
-        "endothelium: nitric oxide would fall with wall shear stress above nitricOxideTransition: "
-        "-nitricOxideFirst / (2 nitricOxideSecond) must not exceed nitricOxideTransition, "
-        "or the parabola there not exceed nitricOxideSlope times it");
-  }
+namespace {
+
+double parabola(const EndotheliumParameters& p, double wss) {
+  return (p.nitricOxideSecond * wss + p.nitricOxideFirst) * wss + p.nitricOxideConstant;
 }
 
-double NitricOxide::parabola(double wss) const {
-  return (p_.nitricOxideSecond * wss + p_.nitricOxideFirst) * wss + p_.nitricOxideConstant;
+}  // namespace
+
+std::string NitricOxide::problem(const EndotheliumParameters& p) {
+  const double vertex = -p.nitricOxideFirst / (2 * p.nitricOxideSecond);
+  const double atTransition = p.nitricOxideSlope * p.nitricOxideTransition;
+  if (vertex <= p.nitricOxideTransition || parabola(p, p.nitricOxideTransition) <= atTransition) return {};
+  return fmt::format(
+      "nitric oxide would fall with wall shear stress above 'nitricOxideTransition' = {:.4g} Pa, where the "
+      "parabola is {:.4g} nmol/mm^3 and falls until {:.4g} Pa: set 'nitricOxideTransition' to at least that, "
+      "or 'nitricOxideSlope' so that it gives no less there (now {:.4g} nmol/mm^3)",
+      p.nitricOxideTransition, parabola(p, p.nitricOxideTransition), vertex, atTransition);
+}
+
+NitricOxide::NitricOxide(const EndotheliumParameters& parameters) : p_(parameters) {
+  if (const std::string wrong = problem(p_); !wrong.empty())
+    throw std::invalid_argument("endothelium: " + wrong);
 }
 
 double NitricOxide::concentration(double wss) const {
   if (!(wss > 0)) return 0;
   if (wss <= p_.nitricOxideTransition) return p_.nitricOxideSlope * wss;
-  return std::max(p_.nitricOxideSlope * p_.nitricOxideTransition, parabola(wss));
+  return std::max(p_.nitricOxideSlope * p_.nitricOxideTransition, parabola(p_, wss));
 }
 
 double NitricOxide::wssForNitricOxide(double threshold) const {

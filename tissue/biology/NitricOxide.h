@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "AgentStore.h"
 #include "EndotheliumParameters.h"
 
@@ -15,7 +17,9 @@ namespace restenosis {
 /// between 1.05 and 1.08 Pa, far above the threshold.
 class NitricOxide {
  public:
-  /// Throws std::invalid_argument where the parabola would make NO fall with w.
+  /// What is wrong with the parameters, naming them, if the parabola made NO fall with w; empty if not.
+  static std::string problem(const EndotheliumParameters& parameters);
+  /// Throws std::invalid_argument where NO would fall with w.
   explicit NitricOxide(const EndotheliumParameters& parameters);
 
   /// NO [nmol/mm^3] of a covered cell under `wss` [Pa]; none for a stress that is not positive.
@@ -30,8 +34,6 @@ class NitricOxide {
   void apply(AgentStore& agents) const;
 
  private:
-  double parabola(double wss) const;
-
   EndotheliumParameters p_;
 };
 
