@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "Minimiser.h"
 
 namespace restenosis {
@@ -63,6 +65,36 @@ TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
   Spring spring;
   spring.motion[0].velocity = {0.1, 0, 0};
   EXPECT_EQ(spring.step(*makeMinimiser(minimisedBy("fire"))), Vec3::Zero());
+}
+
+TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
+  // One agent on a spring among a thousand that a constant force drives. Nothing may excite it: it comes to
+  // rest as it would alone.
+  std::vector<Index> active(1000);
+  std::iota(active.begin(), active.end(), Index{0});
+  const std::vector<double> radius(1000, 1e3);
+  MechanicsParameters p = minimisedBy("fire");
+  p.axialForceFactor = 1;
+  for (const double eigenvalue : {0.5, 1.0, 1.5}) {
+    std::vector<AgentMotion> motion(1000, {.force = {1e-6, 0, 0}, .stiffness = 1, .velocity = {1e-4, 0, 0}});
+    motion[0].velocity.setZero();
+    const MinimiserView view{active, motion, radius};
+    const auto fire = makeMinimiser(p);
+    double displacement = 1e-9, farthest = 0;
+    std::vector<Vec3> moves(active.size());
+    for (int k = 0; k < 200; ++k) {
+      motion[0].force.x() = -eigenvalue * motion[0].stiffness * displacement;
+      StepTotals totals;
+      fire->total(view, 0, active.size(), totals);
+      fire->begin(totals);
+      fire->step(view, 0, active.size(), moves);
+      displacement += moves[0].x();
+      farthest = std::max(farthest, std::abs(displacement));
+    }
+    EXPECT_LT(farthest, 1e-8) << eigenvalue;
+    EXPECT_LT(std::abs(displacement), 1e-12) << eigenvalue;
+    EXPECT_GT(motion[1].velocity.x(), 1e-5) << "the others were to drift";
+  }
 }
 
 TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {

@@ -8,6 +8,11 @@ namespace restenosis {
 /// for the laminae, the vessel's end planes, the surface that keeps cells inside the EEL.
 class Constraint {
  public:
+  /// An agent this close to a curved surface, over its distance from the axis, counts as on it. Sliding along
+  /// takes it off by a little, and what presses it on would be taken for a residual, which comes and goes
+  /// with every move. A nanometre in a coronary artery.
+  static constexpr double onSurface = 1e-6;
+
   virtual ~Constraint() = default;
   /// Moves `position`, where agent `i` is about to go, to the nearest allowed place.
   virtual void project(const AgentStore& agents, Index i, Vec3& position) const = 0;

@@ -7,11 +7,12 @@ namespace restenosis {
 namespace {
 
 // Bitzek et al. 2006, except the time steps, which are in units of sqrt(mass / stiffness) here.
-constexpr double firstTimeStep = 0.4, largestTimeStep = 1.4;
+constexpr double firstTimeStep = 0.4, largestTimeStep = 1.35;
 constexpr double grow = 1.1, shrink = 0.5;
 constexpr double firstMixing = 0.1, mixingDecay = 0.99;
 constexpr int stepsBeforeGrowth = 5;
-constexpr double uphillShare = 0.5;  // of its velocity that an agent keeps while it moves against its force
+constexpr double uphillShare = 0.5;   // of its velocity that an agent keeps while it moves against its force
+constexpr double steadyShare = 0.95;  // of the bound on steering
 
 /// Mobilities are 1 / mass, the axial one times the axial factor; the larger of the two is 1 / stiffness.
 Vec3 mobilityShares(double axialFactor) {
@@ -58,6 +59,11 @@ void FireMinimiser::begin(const StepTotals& totals) {
   }
   keep_ = downhill ? 1 - mixing_ : 0;
   steer_ = downhill && totals.force > 0 ? mixing_ * std::sqrt(totals.velocity / totals.force) : 0;
+  // Where much drifts along a slope that hardly pulls, the root is large, and steering would shake the
+  // stiffest agents. A mode of eigenvalue w, at most 2, swings up once w dt (dt + steer) > 2 (1 + kept): it
+  // goes against its force in every step and keeps the uphill share of its velocity only.
+  const double borne = steadyShare * (1 + uphillShare * keep_) / timeStep_;
+  steer_ = std::min(steer_, std::max(0.0, borne - timeStep_));
 }
 
 void FireMinimiser::step(const MinimiserView& view, std::size_t begin, std::size_t end,

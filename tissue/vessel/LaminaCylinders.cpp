@@ -28,13 +28,11 @@ void LaminaCylinders::project(const AgentStore& agents, Index i, Vec3& position)
 void LaminaCylinders::release(const AgentStore& agents, Index i, Vec3& force) const {
   const Vec3 position = agents.position(i), out = radialAt(position);
   const double outward = force.dot(out), radius = radiusOf(position);
-  // Rounding of the projection is far below a billionth of the radius.
-  constexpr double slack = 1e-9;
   const bool onLamina = agents.kind[i] == AgentKind::iel || agents.kind[i] == AgentKind::eel;
-  const bool atInner =
-      agents.kind[i] == AgentKind::smc && outward < 0 && radius <= (ielRadius_ + clearance_) * (1 + slack);
-  const bool atOuter =
-      agents.kind[i] == AgentKind::smc && outward > 0 && radius >= (eelRadius_ - clearance_) * (1 - slack);
+  const bool atInner = agents.kind[i] == AgentKind::smc && outward < 0 &&
+                       radius <= (ielRadius_ + clearance_) * (1 + onSurface);
+  const bool atOuter = agents.kind[i] == AgentKind::smc && outward > 0 &&
+                       radius >= (eelRadius_ - clearance_) * (1 - onSurface);
   if (onLamina || atInner || atOuter) force -= outward * out;
 }
 

@@ -10,8 +10,8 @@ OuterConfinement::OuterConfinement(const AgentStore& agents, double cellRadius, 
 bool OuterConfinement::deepInside(const Vec3& position, double radius) const {
   const double squared = position.head<2>().squaredNorm();
   const auto isWithin = [&](double surface) {
-    // The share of a millionth is beyond the slack that `release` grants for rounding.
-    const double within = (surface - margin_ * radius) * (1 - 1e-6);
+    // Clearly farther in than what `release` takes for on the surface.
+    const double within = (surface - margin_ * radius) * (1 - 2 * onSurface);
     return within > 0 && squared < within * within;
   };
   return isWithin(map_.lowest()) || isWithin(map_.lowestNear(position.x(), position.y(), position.z()));
@@ -31,8 +31,7 @@ void OuterConfinement::release(const AgentStore& agents, Index i, Vec3& force) c
   const Vec3 out = radialAt(position);
   const double limit = map_.at(position) - margin_ * agents.radius[i];
   const double outward = force.dot(out);
-  // Rounding of the projection is far below a billionth of the radius.
-  if (outward > 0 && radiusOf(position) >= limit * (1 - 1e-9)) force -= outward * out;
+  if (outward > 0 && radiusOf(position) >= limit * (1 - onSurface)) force -= outward * out;
 }
 
 }  // namespace restenosis
