@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "FlowResolution.h"
 #include "NitricOxide.h"
 #include "VesselValidation.h"
 
@@ -211,6 +212,17 @@ void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& 
   }
 }
 
+/// Whether the flow can be resolved: nothing can be said while one of the sections that count is wrong.
+void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
+                     SceneFindings& findings) {
+  for (const std::string_view section :
+       {SceneParameters::section, VesselParameters::section, FlowParameters::section, FoamSettings::section,
+        LbmSettings::section})
+    if (unreliableSection(findings, section)) return;
+  if (auto problem = resolutionProblem(scene, units))
+    blame(problem->key, std::move(problem->message), document, findings);
+}
+
 }  // namespace
 
 double estimatedAgents(const Scene& scene) {
@@ -232,6 +244,7 @@ void checkScene(const Scene& scene, const SceneDocument& document, const Units& 
       blame(check.reads.front(), std::move(*message), document, findings);
   }
   checkFit(scene, document, findings);
+  checkResolution(scene, document, units, findings);
 }
 
 }  // namespace restenosis

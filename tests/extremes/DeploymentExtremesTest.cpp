@@ -30,6 +30,21 @@ void deploy(const Setting& s) {
   }
 }
 
+TEST(DeploymentExtremes, AWallThatCannotBePackedNamesTheScenesSettings) {
+  Setting s;
+  s.vessel.wallThickness = 0.1e-3, s.vessel.lumenDiameter = 0.1e-3, s.vessel.length = 0.2e-3;
+  s.mechanics.stepLimit = 1e-6;  // so that no agent gets anywhere
+  try {
+    packWall(s.vessel, s.mechanics, 1);
+    FAIL();
+  } catch (const RelaxationFailed& failure) {
+    const std::string message = failure.what();
+    for (const char* part : {"the packed wall did not come to rest: after 20000 iterations",
+                             "half of mechanics.tolerance = 0.1", "mechanics.stepLimit (now 1e-06)"})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+}
+
 TEST(DeploymentExtremes, InOneStep) {
   for (const char* outer : {"free", "fixed"}) {
     SCOPED_TRACE(outer);

@@ -287,6 +287,16 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
     EXPECT_NE(std::string(e.what()).find("mechanics.maximumIterations = 2"), std::string::npos) << e.what();
     EXPECT_NE(std::string(e.what()).find("mechanics.tolerance"), std::string::npos) << e.what();
   }
+  p.stepLimit = 1e-5;
+  try {
+    Relaxation(p, r).relax(block.agents, block.bonds, {});
+    FAIL();
+  } catch (const RelaxationFailed& e) {
+    EXPECT_NE(std::string(e.what()).find("mechanics.stepLimit = 1e-05 no agent moves by more than 2e-05"),
+              std::string::npos)
+        << e.what();
+  }
+  p.stepLimit = MechanicsParameters().stepLimit;
   p.stopAtMaximum = true;
   Block again(5);
   const auto report = Relaxation(p, r).relax(again.agents, again.bonds, {});

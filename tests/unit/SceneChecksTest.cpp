@@ -98,6 +98,24 @@ TEST_F(SceneChecksTest, CountsTheAgentsOfTheThesisVessel) {
   EXPECT_NEAR(estimatedAgents(scene), 248000, 2000);  // packed: 248,000 (model 2)
 }
 
+TEST_F(SceneChecksTest, TheFlowCanBeResolved) {
+  const std::string lbm = vessel + "[flow]\nbackend = \"lbm\"\n[lbm]\n";  // lines 6 to 8
+  EXPECT_EQ(finding(lbm), "accepted");
+  EXPECT_STARTS(
+      finding(lbm + "dx = \"2 um\"\n"),
+      "x.toml:9: 'dx' in [lbm] is 2 um: a lumen of 1.8 mm and 1.2 mm length takes at least 4.9e+08 nodes, "
+      "more than 'maximumNodes' = 1e+08");
+  EXPECT_STARTS(
+      finding(lbm + "dx = \"300 um\"\n"),
+      "x.toml:9: 'dx' in [lbm] is 300 um: a lumen of 1.8 mm has 6 nodes across, at least 8 are needed");
+  const std::string foam = vessel + "[flow]\n[foam]\n";  // lines 6 and 7
+  EXPECT_EQ(finding(foam), "accepted");
+  EXPECT_STARTS(finding(foam + "cellSize = \"5 um\"\n"),
+                "x.toml:8: 'cellSize' in [foam] is 5 um: a lumen of");
+  EXPECT_STARTS(finding(foam + "minimumCellsAcross = 50\n"), "x.toml:7: 'cellSize' in [foam] is 60 um");
+  EXPECT_EQ(finding(vessel + "[flow]\nbackend = \"none\"\n[foam]\ncellSize = \"5 um\"\n"), "accepted");
+}
+
 TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
   EXPECT_STARTS(finding(vessel + "[mechanics]\n[cellCycle]\ng1Spread = \"6 h\"\n"),
                 "x.toml:8: 'g1Spread' is 6 h");

@@ -34,6 +34,14 @@ constexpr double leastMixedTolerance = 0.01;
 // How far beyond contact the neighbour list looks, over r0. Speed only: results do not depend on it.
 constexpr double skinOverRadius = 0.4;
 
+/// What is said of a step limit that lets no agent go anywhere.
+std::string shortSteps(const MechanicsParameters& p) {
+  const double farthest = p.stepLimit * static_cast<double>(p.maximumIterations);
+  if (farthest >= 1) return {};
+  return fmt::format(" (with mechanics.stepLimit = {} no agent moves by more than {:.2g} radii in these)",
+                     p.stepLimit, farthest);
+}
+
 double settledShare(const RelaxingAgents& relaxing) {
   if (!relaxing.mayAnyoneSleep()) return settledShareOfAll;
   return relaxing.fewAreAwake() ? settledShareOfFew : settledShareOfMany;
@@ -135,12 +143,15 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
   report.residual = relaxing.residual() / characteristicForce_;
   report.agentEvaluations = standing.forces.evaluations() - evaluationsBefore;
   if (!report.converged && !parameters_.stopAtMaximum) {
-    throw RelaxationFailed(fmt::format(
-        "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations = {}: the "
-        "force on agent {} is still {:.3g} times C r0^2. Allow more iterations or a larger tolerance, or set "
-        "mechanics.stopAtMaximum = true to go on with what was reached",
-        parameters_.tolerance, parameters_.maximumIterations,
-        standing.forces.agents().id[relaxing.worstAgent()], report.residual));
+    const AgentId worst = standing.forces.agents().id[relaxing.worstAgent()];
+    throw RelaxationFailed(
+        fmt::format(
+            "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations "
+            "= {}: the force on agent {} is still {:.3g} times C r0^2{}. Allow more iterations or a "
+            "larger tolerance, or set mechanics.stopAtMaximum = true to go on with what was reached",
+            parameters_.tolerance, parameters_.maximumIterations, worst, report.residual,
+            shortSteps(parameters_)),
+        report, worst);
   }
   return report;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 #include "AgentStore.h"
 #include "BondTable.h"
@@ -25,7 +26,10 @@ struct RelaxationReport {
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
 /// names the settings to change.
 struct RelaxationFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst)
+      : std::runtime_error(message), report(done), worstAgent(worst) {}
+  RelaxationReport report;
+  AgentId worstAgent;  ///< with the largest force left
 };
 
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below

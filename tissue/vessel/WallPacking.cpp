@@ -1,8 +1,11 @@
 #include "WallPacking.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "Cylindrical.h"
 #include "EndPlanes.h"
@@ -84,11 +87,25 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
   settings.maximumIterations = std::max<std::int64_t>(mechanics.maximumIterations, 20000);
   settings.stopAtMaximum = false;
   Relaxation relaxation(settings, vessel.cellRadius);
+  const auto relax = [&](std::span<const Constraint* const> constraints) {
+    try {
+      return relaxation.relax(wall.agents, wall.bonds, constraints);
+    } catch (const RelaxationFailed& failure) {
+      throw RelaxationFailed(
+          fmt::format(
+              "the packed wall did not come to rest: after {} iterations the force on agent {} is "
+              "still {:.3g} times C r0^2, and walls are packed to half of mechanics.tolerance = {}. "
+              "Choose a larger tolerance, mechanics.stepLimit (now {}) or mechanics.maximumIterations",
+              failure.report.iterations, failure.worstAgent, failure.report.residual, mechanics.tolerance,
+              mechanics.stepLimit),
+          failure.report, failure.worstAgent);
+    }
+  };
 
   const EndPlanes ends(vessel.length);
   const LaminaCylinders cylinders(ielRadius(vessel), eelRadius(vessel), vessel.cellRadius);
   const std::array<const Constraint*, 2> packing = {&cylinders, &ends};
-  done.packed = relaxation.relax(wall.agents, wall.bonds, packing);
+  done.packed = relax(packing);
 
   // Bonded before the laminae are let go: the bonds of the IEL take up the pressure that its cylinder
   // carried, which without them would push it some micrometres into the lumen.
@@ -97,7 +114,7 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
   const double before = meanIelRadius(wall.agents);
   const OuterConfinement outside(wall.agents, vessel.cellRadius);
   const std::array<const Constraint*, 2> released = {&outside, &ends};
-  done.released = relaxation.relax(wall.agents, wall.bonds, released);
+  done.released = relax(released);
   done.ielDrift = meanIelRadius(wall.agents) - before;
   done.expelled = countExpelled(wall);
   fixEnds(wall, vessel.fixedEnds);

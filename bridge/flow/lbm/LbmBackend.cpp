@@ -20,8 +20,6 @@ namespace {
 constexpr double coarseTolerance = 10.0;
 /// Nodes across the inlet below which a coarser lattice is of no use.
 constexpr double fewestNodesAcross = 16.0;
-/// Fewest nodes across the inlet that the finest lattice may have.
-constexpr double leastNodesAcross = 8.0;
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
 constexpr double massLimit = 0.05, massRemark = 0.01;
 
@@ -58,12 +56,12 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
   const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / 3.14159265358979);
-  if (across < leastNodesAcross * settings.dx)
+  if (across < LbmSettings::leastNodesAcross * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
                     "[lbm], or check "
                     "the lumen's length unit",
-                    1e3 * across, leastNodesAcross, 1e6 * settings.dx));
+                    1e3 * across, LbmSettings::leastNodesAcross, 1e6 * settings.dx));
   std::vector<double> result{settings.dx};
   for (std::int64_t level = 1; level <= settings.coarseLevels; ++level) {
     if (across < fewestNodesAcross * 2.0 * result.front()) break;

@@ -13,6 +13,8 @@ struct LbmSettings {
   static constexpr std::string_view section = "lbm";
   static constexpr std::string_view summary =
       "Settings of the lattice Boltzmann backend; without the section, the spacing follows scene.fidelity";
+  /// Fewest nodes across the inlet.
+  static constexpr double leastNodesAcross = 8;
 
   double dx = 15e-6;                   ///< lattice spacing [m]
   std::string collision = "trt";       ///< trt or bgk

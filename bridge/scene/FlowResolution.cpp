@@ -1,0 +1,69 @@
+#include "FlowResolution.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "FlowBackendNames.h"
+
+namespace restenosis {
+namespace {
+
+// By how much the inlet of a wall of agents may be wider than its nominal diameter (assumed).
+constexpr double widest = 1.1;
+
+/// What a backend asks for.
+struct Needs {
+  bool given;                            ///< whether the scene has the backend's section
+  std::string_view section, size, most;  ///< keys
+  const char* pieces;                    ///< "cells" or "nodes"
+  double piece;                          ///< size of one [m]
+  double leastAcross;
+  double number, mostNumber;  ///< in all, and allowed
+};
+
+std::optional<ResolutionProblem> problemOf(const Needs& needs, const VesselParameters& vessel,
+                                           const Units& units) {
+  const double across = vessel.lumenDiameter / needs.piece;
+  const std::string key = needs.given ? fmt::format("{}.{}", needs.section, needs.size) : "scene.fidelity";
+  const std::string size =
+      fmt::format("'{}' in [{}] is {:.6g} um", needs.size, needs.section, units.fromSi(needs.piece, "um"));
+  const std::string lumen = fmt::format("a lumen of {:.4g} mm", units.fromSi(vessel.lumenDiameter, "mm"));
+  if (widest * across < needs.leastAcross)
+    return ResolutionProblem{key, fmt::format("{}: {} has {:.2g} {} across, at least {:.4g} are needed", size,
+                                              lumen, across, needs.pieces, needs.leastAcross)};
+  if (needs.number > needs.mostNumber)
+    return ResolutionProblem{
+        key, fmt::format("{}: {} and {:.4g} mm length takes at least {:.2g} {}, more than '{}' = {:.2g}",
+                         size, lumen, units.fromSi(vessel.length, "mm"), needs.number, needs.pieces,
+                         needs.most, needs.mostNumber)};
+  return {};
+}
+
+}  // namespace
+
+std::optional<ResolutionProblem> resolutionProblem(const Scene& scene, const Units& units) {
+  if (!scene.flow || !scene.vessel.lumenSurface.empty()) return {};
+  const VesselParameters& vessel = scene.vessel;
+  const double box = vessel.lumenDiameter * vessel.lumenDiameter * vessel.length;
+  if (scene.flow->backend == flowBackendNames::lbm) {
+    const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
+    return problemOf({scene.lbm.has_value(), LbmSettings::section, "dx", "maximumNodes", "nodes", lbm.dx,
+                      LbmSettings::leastNodesAcross, box / std::pow(lbm.dx, 3), lbm.maximumNodes},
+                     vessel, units);
+  }
+  if (scene.flow->backend == flowBackendNames::foam) {
+    const FoamSettings foam = scene.foam ? *scene.foam : FoamSettings::forFidelity(scene.scene.fidelity);
+    // The core only, as narrow as a stenosis everywhere; what is finer at the wall comes on top.
+    const double core = std::numbers::pi / 4 * box * std::pow(1 - vessel.stenosis, 2);
+    return problemOf(
+        {scene.foam.has_value(), FoamSettings::section, "cellSize", "maximumCells", "cells", foam.cellSize,
+         foam.minimumCellsAcross, core / std::pow(foam.cellSize, 3), foam.maximumCells},
+        vessel, units);
+  }
+  return {};
+}
+
+}  // namespace restenosis
