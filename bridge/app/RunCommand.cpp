@@ -11,6 +11,7 @@
 #include "Checkpoint.h"
 #include "ExitStatus.h"
 #include "Figures.h"
+#include "FlowResolution.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -69,6 +70,8 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = arguments.folder.empty() ? std::filesystem::path("results") / scene.name
                                                               : std::filesystem::path(arguments.folder);
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
+  if (const auto problem = resolutionProblem(scene, Units()))
+    std::cerr << fmt::format("The flow, once it is due, will be refused: {}\n", problem->message);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
                            .ranks = arguments.ranks,

@@ -6,8 +6,10 @@
 
 #include "Biology.h"
 #include "FlowBackendNames.h"
+#include "FlowResolution.h"
 #include "Run.h"
 #include "SceneChecks.h"
+#include "Units.h"
 #include "World.h"
 
 namespace restenosis {
@@ -57,6 +59,8 @@ std::string flowSchedule(const Scene& scene) {
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
         "due";
+  if (const auto problem = resolutionProblem(scene, Units()))
+    text += fmt::format("; it will be refused: {}", problem->message);
   return text;
 }
 

@@ -212,9 +212,11 @@ void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& 
   }
 }
 
-/// Whether the flow can be resolved: nothing can be said while one of the sections that count is wrong.
+/// Whether the flow can be resolved, where it is solved for certain; elsewhere it may never be due, and the
+/// plan says it. Nothing can be said while one of the sections that count is wrong.
 void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
                      SceneFindings& findings) {
+  if (scene.hasTissue() && scene.coupling.schedule != "everyStep") return;
   for (const std::string_view section :
        {SceneParameters::section, VesselParameters::section, FlowParameters::section, FoamSettings::section,
         LbmSettings::section})

@@ -124,6 +124,8 @@ TEST_F(WholeRun, AnUninjuredWallRestsAndNeedsNoFlow) {
   EXPECT_NE(plan.out.find("no cell is exposed, none is covered, and the flow is expected never to be due"),
             std::string::npos)
       << plan.out;
+  EXPECT_NE(plan.out.find("it will be refused: 'cellSize' in [foam] is 90 um"), std::string::npos)
+      << plan.out;
   EXPECT_FALSE(exists("results")) << "check writes nothing";
   ASSERT_EXIT_STATUS(run({"run", intact}, {{"PATH", "/nonexistent"}}), 0);
   const auto json = summary("results/intact");

@@ -113,6 +113,9 @@ TEST_F(SceneChecksTest, TheFlowCanBeResolved) {
   EXPECT_STARTS(finding(foam + "cellSize = \"5 um\"\n"),
                 "x.toml:8: 'cellSize' in [foam] is 5 um: a lumen of");
   EXPECT_STARTS(finding(foam + "minimumCellsAcross = 50\n"), "x.toml:7: 'cellSize' in [foam] is 60 um");
+  const std::string fine = foam + "cellSize = \"5 um\"\n[mechanics]\n";  // where the flow may never be due
+  EXPECT_EQ(finding(fine), "accepted");
+  EXPECT_STARTS(finding(fine + "[coupling]\nschedule = \"everyStep\"\n"), "x.toml:8: 'cellSize' in [foam]");
   EXPECT_EQ(finding(vessel + "[flow]\nbackend = \"none\"\n[foam]\ncellSize = \"5 um\"\n"), "accepted");
 }
 
