@@ -26,11 +26,17 @@ TEST_F(FoamRun, GrowsWithSeveralSolvesAndLoadsInParaView) {
     cases += std::filesystem::exists(entry.path() / "case.foam");
   EXPECT_EQ(cases, solves);
 
-  // Poiseuille from the local radius is a rough guide to so short and rough a tube, whose bumps lie in each
-  // other's lee: with seven seeds the mean is 0.61 to 0.81 of it, and the lattice agrees with OpenFOAM.
-  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "analytic", "--flow", "analytic"}), 0);
-  const double analytic = summary("analytic")["final"]["wssMean_Pa"];
-  EXPECT_NEAR(json["final"]["wssMean_Pa"], analytic, 0.5 * analytic);
+  // In the last lumen, which is short and rough, the lattice finds the same: Poiseuille from the local radius
+  // would be no guide, as bumps lie in each other's lee.
+  ASSERT_EXIT_STATUS(run({"compare", "out", "-o", "compared"}), 0);
+  const auto compared = nlohmann::json::parse(readText(folder / "compared/compare.json"));
+  EXPECT_NEAR(compared["pressureDropDifference"], 0, 0.02);
+  for (const char* part : {"strut", "ends"}) {
+    EXPECT_GT(compared["wss"][part]["count"], 100) << part;
+    EXPECT_NEAR(compared["wss"][part]["meanDifference"], 0, 0.1) << part;
+  }
+  const double lattice = compared["wss"]["ends"]["lbmMean_Pa"];
+  EXPECT_NEAR(json["final"]["wssMean_Pa"], lattice, 0.1 * lattice);
 
   if (std::system("command -v pvpython >/dev/null") != 0) {
     std::cout << "ParaView (pvpython) is not installed: loading is not tested\n";
