@@ -153,6 +153,7 @@ TEST(LbmLimits, stepsThatDoNotSufficeAreSaidToBeTooFew) {
   settings.maximumSteps = 20;
   const std::string said = refusal(tube(tubeRadius, tubeLength), flowing(0.1), settings);
   EXPECT_NE(said.find("maximumSteps"), std::string::npos) << said;
+  EXPECT_EQ(said.find("inf"), std::string::npos) << said;
 }
 
 TEST(LbmLimits, toleranceBelowRoundOffEnds) {

@@ -108,6 +108,10 @@ TEST_F(SceneChecksTest, TheFlowCanBeResolved) {
   EXPECT_STARTS(
       finding(lbm + "dx = \"300 um\"\n"),
       "x.toml:9: 'dx' in [lbm] is 300 um: a lumen of 1.8 mm has 6 nodes across, at least 8 are needed");
+  const std::string longer = vessel + "[flow]\nbackend = \"lbm\"\nstraightEnds = \"900 mm\"\n[lbm]\n";
+  EXPECT_STARTS(finding(longer + "dx = \"25 um\"\n"),
+                "x.toml:10: 'dx' in [lbm] is 25 um: a lumen of 1.8 mm and 1801 mm length, straight ends "
+                "included, takes at least 3.7e+08 nodes");
   const std::string foam = vessel + "[flow]\n[foam]\n";  // lines 6 and 7
   EXPECT_EQ(finding(foam), "accepted");
   EXPECT_STARTS(finding(foam + "cellSize = \"5 um\"\n"),

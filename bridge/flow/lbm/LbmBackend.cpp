@@ -123,8 +123,9 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
         began = Clock::now();
         lattice->solve(finest ? settings_.tolerance : coarseTolerance * settings_.tolerance,
                        [&](std::int64_t steps, double distance) {
-                         log.line("  {} steps, wall shear stress within {:.3g} of its steady state", steps,
-                                  distance);
+                         if (std::isfinite(distance))
+                           log.line("  {} steps, wall shear stress within {:.3g} of its steady state", steps,
+                                    distance);
                          return !(stopRequested_ && *stopRequested_);
                        });
       } catch (const std::exception& error) {

@@ -123,11 +123,14 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
     if (!watch(steps_, distance)) return;
     if (distance < tolerance) break;
     if (steps_ >= settings_.maximumSteps)
-      throw LatticeFailed(
-          fmt::format("the wall shear stress did not settle within {} steps: it is estimated to be {:.2g} "
-                      "from its steady state, and "
-                      "tolerance is {:.2g}; raise maximumSteps or tolerance in [lbm]",
-                      steps_, distance, tolerance));
+      throw LatticeFailed(fmt::format(
+          "the wall shear stress did not settle within {} steps: {}, and tolerance is {:.2g}; raise "
+          "maximumSteps or tolerance in [lbm]",
+          steps_,
+          std::isfinite(distance)
+              ? fmt::format("it is estimated to be {:.2g} from its steady state", distance)
+              : "too few to estimate how far it is from its steady state",
+          tolerance));
   }
   for (const NodeRun& run : lattice_.layout.runs())
     for (std::uint32_t n = 0; n < run.count; ++n)
