@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "Run.h"
 #include "SceneArguments.h"
 #include "StopRequest.h"
+#include "ThreadCount.h"
 
 namespace restenosis {
 namespace {
@@ -83,9 +85,9 @@ ComparedLumen comparedLumen(const Scene& scene, const CompareArguments& argument
 
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
             std::optional<ComparedLumen> loaded) {
-  createFolder(folder);
+  createOutputFolder(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();
-  const int threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads();
+  const int threads = threadCount(arguments.threads);
   omp_set_num_threads(threads);
   const ComparedLumen lumen = loaded ? std::move(*loaded) : comparedLumen(scene, arguments, folder, threads);
   const ProbeLines lines = probeLines(lumen.surface);
@@ -170,10 +172,16 @@ void addCompareCommand(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->folder,
                       "folder for the comparison (default: results/<scene name>-compare, or compare/ in the "
                       "results folder)");
-  command->add_option("--day", arguments->day,
-                      "of the run's lumens, the one nearest to this day (default: the last)");
+  command
+      ->add_option("--day", arguments->day,
+                   "of the run's lumens, the one nearest to this day (default: the last)")
+      ->check([](const std::string& text) {
+        double day = 0;
+        const bool finite = CLI::detail::lexical_cast(text, day) && std::isfinite(day);
+        return finite ? std::string() : fmt::format("{} is not a day", text);
+      });
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+      ->check(CLI::Range(1, mostThreads));
   command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
       ->check(CLI::Range(1, 1024));
   command->callback([arguments, &status] { status = tryCompare(*arguments); });

@@ -1,7 +1,7 @@
 #include "RunCommand.h"
 
 #include <fmt/format.h>
-#include <omp.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <iostream>
@@ -16,8 +16,11 @@
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneArguments.h"
+#include "SceneFingerprint.h"
+#include "SceneReader.h"
 #include "SceneWriter.h"
 #include "StopRequest.h"
+#include "ThreadCount.h"
 #include "Units.h"
 
 namespace restenosis {
@@ -66,16 +69,31 @@ void printPoiseuille(const Run& run) {
       100 * error->largest);
 }
 
+std::filesystem::path resultsPath(const Scene& scene, const RunArguments& arguments) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  return std::filesystem::path("results") / scene.name;
+}
+
+/// What sets this scene apart from the one of the results at `path`, as far as it can be told.
+std::string differencesFrom(const std::filesystem::path& path, const Scene& scene) {
+  try {
+    const Units units;
+    const auto keys = decisiveDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
+    if (keys.empty()) return "the keys are the same: a file that the scene names has been changed";
+    return fmt::format("they differ in {}", fmt::join(keys, ", "));
+  } catch (const std::exception&) {
+    return fmt::format("{} cannot be compared with it", (path / "scene.toml").string());
+  }
+}
+
 int runScene(const Scene& scene, const RunArguments& arguments) {
-  const std::filesystem::path path = arguments.folder.empty() ? std::filesystem::path("results") / scene.name
-                                                              : std::filesystem::path(arguments.folder);
+  const std::filesystem::path path = resultsPath(scene, arguments);
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
   if (const auto problem = resolutionProblem(scene, Units()))
     std::cerr << fmt::format("The flow, once it is due, will be refused: {}\n", problem->message);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
-  const RunOptions options{.threads = arguments.threads > 0 ? arguments.threads : omp_get_max_threads(),
-                           .ranks = arguments.ranks,
-                           .stopRequested = &stopOnSignals()};
+  const RunOptions options{
+      .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
   atomicWrite(folder.scene(), writeScene(scene, Units()));
@@ -102,7 +120,10 @@ int tryRun(const RunArguments& arguments) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
   } catch (const CheckpointRefused& error) {
-    std::cerr << error.what() << '\n';
+    std::cerr << error.what();
+    if (error.reason == CheckpointRefused::Reason::foreign)
+      std::cerr << "; " << differencesFrom(resultsPath(*scene, arguments), *scene);
+    std::cerr << '\n';
     return ExitStatus::wrongInput;
   } catch (const FlowFailed& error) {
     std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
@@ -125,7 +146,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--flow", arguments->flow,
                       "flow backend instead of the scene's: foam, lbm, analytic or none");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+      ->check(CLI::Range(1, mostThreads));
   command
       ->add_option("--ranks", arguments->ranks,
                    "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "

@@ -7,7 +7,12 @@ namespace {
 
 std::atomic<bool> stopRequested{false};  // a signal's handler reaches nothing else
 
-extern "C" void requestStop(int) { stopRequested = true; }
+/// The first signal asks, a second one ends the program at once: the checkpoint is whole at every moment.
+extern "C" void requestStop(int signal) {
+  if (!stopRequested.exchange(true)) return;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 
 namespace restenosis {
 
-/// From now on Ctrl-C and SIGTERM no longer end the program, but set the flag returned.
+/// From now on the first Ctrl-C or SIGTERM no longer ends the program, but sets the flag returned.
 const std::atomic<bool>& stopOnSignals();
 
 }  // namespace restenosis

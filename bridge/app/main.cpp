@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "BenchCommand.h"
@@ -15,6 +16,7 @@
 int main(int argc, char** argv) {
   using namespace restenosis;
   letWaitingThreadsSleep(argv);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the system allows fails to be written, and is named
   returnLargeArrays();
 
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};

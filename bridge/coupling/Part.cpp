@@ -2,7 +2,7 @@
 
 namespace restenosis {
 
-bool Part::isPurpose() const { return false; }
+bool Part::isPurpose(const Instant&) const { return false; }
 
 bool Part::appliesAt(const Instant&) const { return true; }
 

@@ -25,6 +25,7 @@ struct Instant {
   std::uint32_t step = 0;  ///< steps made before this one
   double time = 0;         ///< at the start of the step [s]
   bool recorded = false;   ///< whether the state is recorded in this step
+  bool endsDay = false;   ///< whether a day of growth is over: see LumenPart
   bool last = false;  ///< whether the run ends here: the state is brought up to date, but not carried further
 };
 
@@ -47,8 +48,8 @@ class Part {
   virtual std::vector<Quantity> reads() const = 0;
   virtual std::vector<Quantity> writes() const = 0;
 
-  /// Whether this part is what a run is made for, so that it needs no reader to run.
-  virtual bool isPurpose() const;
+  /// Whether this part is what a run is made for at this instant, so that it needs no reader to run.
+  virtual bool isPurpose(const Instant& now) const;
 
   /// Whether there is anything for this part to do at such an instant at all, whatever the schedule.
   virtual bool appliesAt(const Instant& now) const;

@@ -30,6 +30,8 @@ namespace {
 /// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
 constexpr std::chrono::seconds longestUnsaved{30};
 
+constexpr double day = 86400;  // [s]
+
 bool isMultiple(double time, double interval, double step) {
   const double periods = time / interval;
   return std::abs(periods - std::round(periods)) * interval < 0.5 * step;
@@ -62,13 +64,14 @@ void Run::archive(Archive& a) {
 
 void Run::resume() {
   if (!checkpoint_.exists()) {
-    world_.progress.message("no checkpoint yet: starting afresh");
+    const bool moved = folder_.moveFormerRun();
+    world_.progress.message(
+        fmt::format("no checkpoint: starting afresh{}", moved ? "; the former run is in previous/" : ""));
     return;
   }
   ReadingArchive state(checkpoint_.load(fingerprint_));
   archive(state);
   if (nextStep_ > stepCount(scene_.scene)) {
-    constexpr double day = 86400;
     throw CheckpointRefused(
         CheckpointRefused::Reason::beyond,
         fmt::format("{} is of day {:.4g}, past scene.duration = {:.4g} d: ask for a longer duration, or for "
@@ -104,6 +107,7 @@ void Run::go() {
   } catch (const Occluded&) {
     // A result, not a failure: the neointima has closed the vessel.
     status_ = "occluded";
+    recordOcclusion();
   } catch (const FlowFailed&) {
     if (options_.stopRequested && *options_.stopRequested) throw Interrupted();
     status_ = "failed";
@@ -203,6 +207,7 @@ Instant Run::instant(std::uint32_t step) const {
   now.step = step;
   now.time = step * scene_.scene.step;
   now.last = step == stepCount(scene_.scene);
+  now.endsDay = isMultiple(now.time, day, scene_.scene.step);
   now.recorded = now.last || step == 0 || isMultiple(now.time, scene_.output.interval, scene_.scene.step);
   return now;
 }
@@ -216,6 +221,13 @@ void Run::grow() {
     reportProgress(now);
     if (now.last) break;
   }
+}
+
+void Run::recordOcclusion() {
+  const Instant now = instant(nextStep_);
+  record_->run(now);
+  reportProgress(now);
+  world_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / day));
 }
 
 void Run::stopIfAsked() {

@@ -67,6 +67,7 @@ class Run {
   void requireFormerCase();
   void noteCaseInCheckpoint();
   void stopIfAsked();
+  void recordOcclusion();
   void reportProgress(const Instant& now);
   void writeFinalResults();
   void writeSummary();

@@ -37,7 +37,7 @@ Verdict Schedule::decide(std::size_t part, const Instant& now) const {
 }
 
 Verdict Schedule::needed(std::size_t part, const Instant& now) const {
-  if (parts_[part]->isPurpose()) return Verdict::run();
+  if (parts_[part]->isPurpose(now)) return Verdict::run();
   std::optional<Verdict> refusal;
   for (const Quantity quantity : parts_[part]->writes()) {
     for (std::size_t reader = 0; reader < parts_.size(); ++reader) {

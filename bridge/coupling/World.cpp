@@ -43,7 +43,7 @@ void World::takeLumen() {
   field_ = LumenField::fromTissue(wall.agents, struts, wall.length, fieldSettings(scene.coupling));
   lumen.present = RadialMap(*field_);
   lumen.detachedPieces = field_->topology().islands;
-  if (field_->occluded()) throw Occluded();
+  lumen.closed = field_->occluded();
 }
 
 void World::updateLumen() {

@@ -28,10 +28,11 @@ struct LumenState {
   RadialMap afterDeployment;  ///< what neointima is measured against
   RadialMap atLastFlow;       ///< what `lumenTolerance` is measured against; empty before the first solve
   std::uint64_t detachedPieces = 0;  ///< pieces of tissue in the lumen that no flow sees
+  bool closed = false;               ///< whether nothing open joins its ends
 
   template <class Archive>
   void archive(Archive& a) {
-    a(present, afterDeployment, atLastFlow, detachedPieces);
+    a(present, afterDeployment, atLastFlow, detachedPieces, closed);
   }
 };
 

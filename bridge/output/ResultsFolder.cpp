@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -25,13 +26,14 @@ constexpr const char* marker = ".restenosisFoam";
 constexpr const char* previous = "previous";
 
 bool writtenByRun(const fs::path& name) {
-  static constexpr std::array<std::string_view, 14> names{
+  static constexpr std::array<std::string_view, 19> names{
       "scene.toml",  "timeSeries.csv", "profile.csv", "summary.json", "tissue.pvd",
       "lumen.pvd",   "tissue",         "lumen",       "flow",         "checkpoint",
-      "report.html", "run.log",        "figures.log", "compare.json"};
+      "report.html", "run.log",        "figures.log", "compare.json", "growth.png",
+      "lumen.png",   "section.png",    "lumen3d.png", "compare"};
   const auto text = name.string();
   const auto whole = text.ends_with(".partial") ? text.substr(0, text.size() - 8) : text;
-  return std::ranges::find(names, whole) != names.end() || name.extension() == ".png";
+  return std::ranges::find(names, whole) != names.end();
 }
 
 std::string firstEntry(const fs::path& folder) {
@@ -43,23 +45,45 @@ std::string firstEntry(const fs::path& folder) {
   return first;
 }
 
-void movePreviousRun(const fs::path& folder) {
+/// Whether the run in this folder got as far as a row of its time series.
+bool hasRecorded(const fs::path& folder) {
+  std::ifstream series(folder / "timeSeries.csv");
+  std::string header, row;
+  return std::getline(series, header) && std::getline(series, row);
+}
+
+/// Returns whether there was one.
+bool movePreviousRun(const fs::path& folder) {
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder))
     if (writtenByRun(entry.path().filename())) former.push_back(entry.path());
-  if (former.empty()) return;
+  if (former.empty()) return false;
+  if (hasRecorded(folder / previous) && !hasRecorded(folder)) {
+    for (const auto& path : former) fs::remove_all(path);
+    return true;
+  }
   fs::remove_all(folder / previous);
   fs::create_directory(folder / previous);
   for (const auto& path : former) fs::rename(path, folder / previous / path.filename());
+  return true;
 }
 
 }  // namespace
+
+void createOutputFolder(const fs::path& folder) {
+  try {
+    createFolder(folder);
+  } catch (const WriteFailed& error) {
+    throw FolderRefused(fmt::format("{}: choose another folder with -o", error.what()));
+  }
+}
 
 int ResultsFolder::acquireLock(const fs::path& folder) {
   const auto file = folder / marker;
   const int lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0)
-    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), std::strerror(errno)));
+    throw FolderRefused(fmt::format("cannot write into {}: {}: choose another folder with -o",
+                                    folder.string(), std::strerror(errno)));
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     std::array<char, 32> owner{};
@@ -82,7 +106,7 @@ int ResultsFolder::acquireLock(const fs::path& folder) {
 }
 
 ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
-  createFolder(folder);
+  createOutputFolder(folder);
   if (!fs::exists(folder / marker) && !fs::is_empty(folder)) {
     throw FolderRefused(fmt::format(
         "{} holds files that are not results of restenosisFoam (for example '{}'): choose another "
@@ -90,13 +114,17 @@ ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
         folder.string(), firstEntry(folder)));
   }
   ResultsFolder results(folder, acquireLock(folder));
+  results.moveFormerRun();
+  return results;
+}
+
+bool ResultsFolder::moveFormerRun() const {
   try {
-    movePreviousRun(folder);
+    return movePreviousRun(folder_);
   } catch (const fs::filesystem_error& error) {
     throw WriteFailed(
-        fmt::format("cannot move the former run in {} aside: {}", folder.string(), error.what()));
+        fmt::format("cannot move the former run in {} aside: {}", folder_.string(), error.what()));
   }
-  return results;
 }
 
 ResultsFolder ResultsFolder::existing(const fs::path& folder) {

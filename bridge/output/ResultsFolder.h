@@ -12,19 +12,27 @@ struct FolderRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Creates the folder that a user has asked for, and those above it; throws FolderRefused where it cannot be.
+void createOutputFolder(const std::filesystem::path& folder);
+
 /// The folder of a run's results: knows the place of every file, and holds a lock while it lives, so that no
 /// two runs write into one folder (the system releases the lock when the process ends in any way).
 ///
-/// A fresh run into a results folder of this program moves the former run's files to `previous/` (replacing
-/// what is there) and leaves every other file alone. A folder with files, but without a run of this program,
-/// is refused.
+/// A fresh run into a results folder of this program moves the former run's files to `previous/`, replacing
+/// what is there, and leaves every other file alone; a former run that has recorded nothing does not replace
+/// one that has, but is deleted. A folder with files, but without a run of this program, is refused.
 class ResultsFolder {
  public:
-  /// For a new run: creates the folder, or clears it of the former run. Throws FolderRefused or WriteFailed.
+  /// For a new run: creates the folder, or clears it of the former run. Throws FolderRefused, also where the
+  /// folder cannot be made or written into, or WriteFailed.
   static ResultsFolder fresh(const std::filesystem::path& folder);
   /// For a run to go on with, or to be looked at: everything stays. Throws FolderRefused when it is no
   /// results folder.
   static ResultsFolder existing(const std::filesystem::path& folder);
+
+  /// Moves the former run's files to `previous/`, as for a new run; tells whether there was one. Throws
+  /// WriteFailed.
+  bool moveFormerRun() const;
 
   ResultsFolder(ResultsFolder&& other) noexcept;
   ResultsFolder& operator=(ResultsFolder&&) = delete;

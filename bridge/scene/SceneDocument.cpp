@@ -46,6 +46,15 @@ decltype(GivenValue::value) typedValue(std::string_view text) {
   return std::string(text);
 }
 
+bool isUtf8(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(std::string("# ").append(text.substr(0, text.find('\n')))));
+    return true;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
 /// What the parser says, and where it speaks of characters only, what to look for.
 std::string explained(const toml::parse_error& error) {
   const std::string_view what = error.description();
@@ -104,6 +113,7 @@ void SceneDocument::apply(std::string_view override, std::vector<Diagnostic>& di
     return complain("no value; write section.key=value, section=absent or section=present");
   }
   const std::string_view value = trimmed(override.substr(equals + 1));
+  if (!isUtf8(override)) return complain("is not text in UTF-8");
   const auto dot = name.find('.');
   const std::string section(trimmed(name.substr(0, dot)));
   if (section.empty()) return complain("no section; write section.key=value");
@@ -111,6 +121,7 @@ void SceneDocument::apply(std::string_view override, std::vector<Diagnostic>& di
   if (dot == std::string_view::npos) {
     if (value == "absent") {
       sections_.erase(section);
+      removed_.emplace(section, place);
     } else if (value == "present") {
       sections_.try_emplace(section, GivenSection{place, {}});
     } else {

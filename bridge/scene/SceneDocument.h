@@ -47,6 +47,8 @@ class SceneDocument {
 
   const std::string& file() const { return file_; }
   const std::map<std::string, GivenSection, std::less<>>& sections() const { return sections_; }
+  /// The sections that were taken out, whether there were such or not, and what took them out.
+  const std::map<std::string, ScenePlace, std::less<>>& removed() const { return removed_; }
   /// The section, or null when it is not given.
   const GivenSection* find(std::string_view section) const;
   /// Where the key is given, else its section, else the file's first line. An empty key asks for the section.
@@ -56,6 +58,7 @@ class SceneDocument {
  private:
   std::string file_;
   std::map<std::string, GivenSection, std::less<>> sections_;
+  std::map<std::string, ScenePlace, std::less<>> removed_;
   bool broken_ = false;
 };
 

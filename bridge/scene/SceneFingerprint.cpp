@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -72,6 +73,24 @@ std::map<std::string, std::string> decisiveValues(const Scene& scene) {
            entry.first.starts_with("output");
   });
   return values;
+}
+
+std::vector<std::string> decisiveDifferences(const Scene& a, const Scene& b) {
+  const auto before = decisiveValues(a), after = decisiveValues(b);
+  std::set<std::string> names;
+  for (const auto* values : {&before, &after}) {
+    for (const auto& [name, value] : *values) {
+      const auto dot = name.find('.');
+      const std::string section = name.substr(0, dot);
+      const bool inBoth = before.contains(section) && after.contains(section);
+      if (!inBoth) {
+        names.insert(fmt::format("[{}]", section));
+      } else if (dot != std::string::npos && before.at(name) != after.at(name)) {
+        names.insert(name);
+      }
+    }
+  }
+  return {names.begin(), names.end()};
 }
 
 std::string sceneFingerprint(const Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "Scene.h"
 
@@ -15,6 +16,10 @@ std::map<std::string, std::string> sceneValues(const Scene& scene);
 /// `scene.duration`, so that a finished run can be resumed for longer. Input files count with their contents,
 /// wherever they lie. Throws std::runtime_error when one cannot be read.
 std::map<std::string, std::string> decisiveValues(const Scene& scene);
+
+/// What the `decisiveValues` of two scenes differ in: "section.key", or "[section]" for one that only one of
+/// them models.
+std::vector<std::string> decisiveDifferences(const Scene& a, const Scene& b);
 
 /// A hash over `decisiveValues`: two scenes with one fingerprint have the same states at the same times.
 /// A checkpoint may be resumed under any scene with its fingerprint.

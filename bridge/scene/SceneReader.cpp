@@ -52,11 +52,13 @@ KeysOfSections keysOfSections() {
 void checkSections(const SceneDocument& document, const KeysOfSections& all, SceneFindings& findings) {
   std::vector<std::string_view> names;
   for (const auto& [name, keys] : all) names.push_back(name);
-  for (const auto& [name, section] : document.sections()) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    findings.add(section.place, fmt::format("unknown section [{}]{}", name, suggestion(name, names)));
+  const auto requireKnown = [&](const std::string& name, const ScenePlace& place) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    findings.add(place, fmt::format("unknown section [{}]{}", name, suggestion(name, names)));
     findings.unreliable.insert(nearestName(name, names));
-  }
+  };
+  for (const auto& [name, section] : document.sections()) requireKnown(name, section.place);
+  for (const auto& [name, place] : document.removed()) requireKnown(name, place);
   for (const auto required : {SceneParameters::section, VesselParameters::section}) {
     if (document.find(required) != nullptr) continue;
     // A misspelt section has been named already.

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 bool pythonHasPackages() {
   return std::system("/usr/bin/python3 -c 'import matplotlib, vtkmodules' >/dev/null 2>&1") == 0 &&
-         (std::getenv("DISPLAY") != nullptr || std::system("command -v xvfb-run >/dev/null") == 0);
+         (std::getenv("DISPLAY") != nullptr || std::system("command -v Xvfb >/dev/null") == 0);
 }
 
 TEST(Figures, DrawsEveryPictureAndPutsAllOnOnePage) {

@@ -120,7 +120,7 @@ TEST_F(Resume, RefusesACheckpointThatIsDamagedOrOfAnotherScene) {
   writeText(file, "something else altogether, but long enough for a header\n");
   expectRefused({}, "not a checkpoint");
   writeText(file, intact);
-  expectRefused({"--set", "scene.seed=2"}, "another scene");
+  expectRefused({"--set", "scene.seed=2"}, "they differ in scene.seed");
   expectRefused({"--set", "vessel.length=0.3 mm"}, "another scene");
   expectRefused({"--set", "scene.duration=2 h"}, "past scene.duration = 0.08333 d");
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);

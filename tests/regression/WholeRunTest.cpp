@@ -134,5 +134,43 @@ TEST_F(WholeRun, AnUninjuredWallRestsAndNeedsNoFlow) {
   EXPECT_EQ(json["flow"]["skippedBecause"].begin().key(), "no cell is covered by endothelium");
 }
 
+TEST_F(WholeRun, EndsOnTheDayThatTheLumenClosesWhateverIsRecorded) {
+  const std::string closing = scene("closing", R"([scene]
+duration = "8 d"
+step = "2 h"
+[vessel]
+length = "0.2 mm"
+lumenDiameter = "0.4 mm"
+wallThickness = "0.1 mm"
+fixedEnds = 1
+[injury]
+removeIel = true
+synthetic = "all"
+[mechanics]
+[cellCycle]
+[output]
+pictures = false
+)");
+  std::vector<std::string> digests;
+  for (const char* interval : {"4 d", "4 h"}) {
+    ASSERT_EXIT_STATUS(
+        run({"run", closing, "-o", "out", "--set", fmt::format("output.interval={}", interval)}), 0);
+    const auto json = summary("out");
+    EXPECT_EQ(json["status"], "occluded");
+    digests.push_back(json["stateDigest"]);
+    const CsvColumns series(folder / "out/timeSeries.csv");
+    const double day = series.last("day");
+    EXPECT_GT(day, 0);
+    EXPECT_LT(day, 8);
+    EXPECT_EQ(day, std::round(day));
+    EXPECT_EQ(series.last("minLumenArea_mm2"), 0);
+    EXPECT_EQ(json["final"]["day"], day);
+    EXPECT_EQ(json["final"]["agents"], series.last("agents"));
+    const auto agents = readPolyData(filesOf("out/tissue.pvd").back())->GetNumberOfPoints();
+    EXPECT_EQ(agents, series.last("agents")) << "the last state is among those recorded";
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -50,6 +50,26 @@ TEST(ResultsFolder, MovesTheFormerRunAsideAndLeavesTheUsersFiles) {
   EXPECT_EQ(readText(folder / "quick/notes.md"), "mine");
 }
 
+TEST(ResultsFolder, KeepsTheLastRunThatRecordedAnythingAndPicturesOfTheUser) {
+  TemporaryFolder folder;
+  const auto run = [&](const char* name, const char* timeSeries) {
+    const auto results = ResultsFolder::fresh(folder / "quick");
+    atomicWrite(results.scene(), name);
+    atomicWrite(results.timeSeries(), timeSeries);
+    writeText(results.path() / "mine.png", "mine");
+  };
+  run("whole", "day\n0\n");
+  run("failed", "day\n");
+  run("failed again", "day\n");
+  EXPECT_EQ(readText(folder / "quick/previous/scene.toml"), "whole");
+  run("second", "day\n0\n");
+  const auto results = ResultsFolder::existing(folder / "quick");
+  EXPECT_TRUE(results.moveFormerRun());
+  EXPECT_EQ(readText(folder / "quick/previous/scene.toml"), "second");
+  EXPECT_EQ(readText(folder / "quick/mine.png"), "mine");
+  EXPECT_FALSE(results.moveFormerRun());
+}
+
 TEST(ResultsFolder, KeepsEverythingForAResume) {
   TemporaryFolder folder;
   {
@@ -76,8 +96,9 @@ TEST(ResultsFolder, IsUsedByOneRunAtATime) {
 TEST(ResultsFolder, SaysWhenItCannotBeWritten) {
   TemporaryFolder folder;
   writeText(folder / "file", "");
-  EXPECT_THROW(ResultsFolder::fresh(folder / "file/quick"), WriteFailed);
-  EXPECT_THROW(ResultsFolder::fresh("/proc/quick"), WriteFailed);
+  EXPECT_NE(refusal([&] { ResultsFolder::fresh(folder / "file/quick"); }).find("choose another"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { ResultsFolder::fresh("/proc/quick"); }), "");
 }
 
 }  // namespace

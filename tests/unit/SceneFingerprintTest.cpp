@@ -25,6 +25,19 @@ TEST(SceneFingerprint, FollowsWhatInfluencesResultsOnly) {
   }
 }
 
+TEST(SceneFingerprint, NamesWhatTwoScenesDifferIn) {
+  Scene a, b;
+  a.scene.title = "one";
+  b.scene.title = "other";
+  EXPECT_TRUE(decisiveDifferences(a, b).empty());
+  b.scene.seed = 2;
+  b.vessel.length *= 2;
+  b.mechanics.emplace();
+  const std::vector<std::string> expected{"[mechanics]", "scene.seed", "vessel.length"};
+  EXPECT_EQ(decisiveDifferences(a, b), expected);
+  EXPECT_EQ(decisiveDifferences(b, a), expected);
+}
+
 TEST(SceneFingerprint, CountsFilesByTheirContents) {
   const auto folder = std::filesystem::path(::testing::TempDir());
   const auto first = (folder / "fingerprint1.csv").string(), second = (folder / "fingerprint2.csv").string();

@@ -211,9 +211,12 @@ TEST_F(SceneReaderTest, BlamesOverridesByName) {
   expectOne(start, 0, {"--set scene.seed", "whole number"}, {"scene.seed=1\n[flow]"});
   expectOne(start, 0, {"--set vessel.length: no value"}, {"vessel.length"});
   expectOne(start, 0, {"--set flow: write flow.key=value"}, {"flow=analytic"});
+  expectOne(start, 0, {"--set scene.title: is not text in UTF-8"}, {"scene.title=a\xff"});
   expectOne(start, 0, {"no section"}, {"=3"});
   expectOne(start, 0, {"no key"}, {"vessel.=3"});
   expectOne(start, 1, {"section [vessel] is missing"}, {"vessel=absent"});
+  expectOne(start, 0, {"--set contactInhibiton: unknown section [contactInhibiton]; did you mean"},
+            {"contactInhibiton=absent"});
 }
 
 }  // namespace

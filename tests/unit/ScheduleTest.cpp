@@ -17,7 +17,7 @@ struct FakePart : Part {
   std::string_view name() const override { return name_; }
   std::vector<Quantity> reads() const override { return reads_; }
   std::vector<Quantity> writes() const override { return writes_; }
-  bool isPurpose() const override { return answers_.purpose; }
+  bool isPurpose(const Instant&) const override { return answers_.purpose; }
   Verdict needs(Quantity, const Instant&) const override { return answers_.needs; }
   Verdict inputsChanged(const Instant&) const override { return answers_.changed; }
   void run(const Instant&) override { ++answers_.runs; }

@@ -12,7 +12,7 @@ class CyclePart : public Part {
   std::string_view name() const override { return "cycle"; }
   std::vector<Quantity> reads() const override { return {Quantity::exposure, Quantity::nitricOxide}; }
   std::vector<Quantity> writes() const override { return {Quantity::cellStates}; }
-  bool isPurpose() const override { return true; }
+  bool isPurpose(const Instant&) const override { return true; }
   bool appliesAt(const Instant& now) const override { return !now.last; }
   void run(const Instant& now) override;
 

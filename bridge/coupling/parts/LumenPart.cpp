@@ -1,16 +1,20 @@
 #include "LumenPart.h"
 
+#include "LumenSurface.h"
+
 namespace restenosis {
 
 Verdict LumenPart::inputsChanged(const Instant&) const {
-  if (world_.changes.changedSince(name(), Quantity::agentPositions)) return Verdict::run();
+  const bool changed = world_.changes.changedSince(name(), Quantity::agentPositions);
+  if (changed || world_.lumen.closed) return Verdict::run();
   return Verdict::skip("no agent moved");
 }
 
-void LumenPart::run(const Instant&) {
+void LumenPart::run(const Instant& now) {
   world_.updateLumen();
   world_.changes.markRead(name(), Quantity::agentPositions);
   world_.changes.touch(Quantity::lumen);
+  if (world_.lumen.closed && looksForOcclusion(now)) throw Occluded();
 }
 
 }  // namespace restenosis

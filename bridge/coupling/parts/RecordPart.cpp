@@ -42,8 +42,10 @@ void RecordPart::run(const Instant& now) {
     writeTissue(tissue_.dataFile(now.step), world_.wall.agents, now.time);
     tissue_.add(now.step, now.time);
   }
-  writeLumen(lumen_.dataFile(now.step), world_.lumenSurface(), flow, now.time);
-  lumen_.add(now.step, now.time);
+  if (!world_.lumen.closed) {
+    writeLumen(lumen_.dataFile(now.step), world_.lumenSurface(), flow, now.time);
+    lumen_.add(now.step, now.time);
+  }
   world_.flow.solvesRecorded = world_.flow.solves;
 }
 

@@ -14,7 +14,7 @@ class RecordPart : public Part {
   std::string_view name() const override { return "record"; }
   std::vector<Quantity> reads() const override;
   std::vector<Quantity> writes() const override { return {}; }
-  bool isPurpose() const override { return true; }
+  bool isPurpose(const Instant&) const override { return true; }
   bool appliesAt(const Instant& now) const override { return now.recorded; }
   Verdict needs(Quantity quantity, const Instant& now) const override;
   void run(const Instant& now) override;

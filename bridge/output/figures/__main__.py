@@ -67,10 +67,12 @@ def draw_in_space(folder):
     import virtual_display
 
     script = Path(__file__).parent / "lumen3d.py"
-    command = virtual_display.wrap([sys.executable, "-B", str(script), str(folder)])
-    if command is None:
-        return "there is no display; install the package xvfb"
-    status = subprocess.run(command, check=False).returncode
+    try:
+        with virtual_display.environment() as environment:
+            command = [sys.executable, "-B", str(script), str(folder)]
+            status = subprocess.run(command, check=False, env=environment).returncode
+    except virtual_display.NoDisplay as reason:
+        return str(reason)
     return f"the rendering process ended with status {status}" if status != 0 else None
 
 
