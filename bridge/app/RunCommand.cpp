@@ -1,7 +1,6 @@
 #include "RunCommand.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <iostream>
@@ -80,7 +79,9 @@ std::string differencesFrom(const std::filesystem::path& path, const Scene& scen
     const Units units;
     const auto keys = decisiveDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
     if (keys.empty()) return "the keys are the same: a file that the scene names has been changed";
-    return fmt::format("they differ in {}", fmt::join(keys, ", "));
+    std::string list;
+    for (const std::string& key : keys) list.append(list.empty() ? "" : ", ").append(key);
+    return "they differ in " + list;
   } catch (const std::exception&) {
     return fmt::format("{} cannot be compared with it", (path / "scene.toml").string());
   }
