@@ -10,6 +10,7 @@
 #include "RunCommand.h"
 #include "SchemaCommand.h"
 #include "ThreadWaiting.h"
+#include "TradeoffCommand.h"
 #include "Version.h"
 
 /// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   addRunCommand(app, status);
   addCheckCommand(app, status);
   addCompareCommand(app, status);
+  addTradeoffCommand(app, status);
   addSchemaCommand(app, status);
   addBenchCommand(app, status);
   try {

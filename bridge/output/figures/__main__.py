@@ -3,7 +3,7 @@
     /usr/bin/python3 bridge/output/figures RESULTS
 
 Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from, and report.html, one page with
-all of it; in the folder of a comparison, compareMaps.png and compareScatter.png. Needs Debian's
+all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. Needs Debian's
 python3-matplotlib and python3-vtk9, and xvfb where there is no display. Exit status 0 when every picture that the
 results allow was drawn; otherwise the last line printed says what is missing.
 """
@@ -36,6 +36,7 @@ def draw(folder):
     import report
     import results
     import section
+    import tradeoff
 
     problems = []
     drawn = []
@@ -45,6 +46,7 @@ def draw(folder):
         ("section.png", section.draw),
         ("compareMaps.png", compare.draw_maps),
         ("compareScatter.png", compare.draw_scatter),
+        ("tradeoff.png", tradeoff.draw),
     ):
         try:
             picture(folder, folder / name)

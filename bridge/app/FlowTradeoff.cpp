@@ -1,0 +1,101 @@
+#include "FlowTradeoff.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "ComparedLumen.h"
+#include "FlowBackendNames.h"
+#include "FlowBackends.h"
+#include "FlowComparison.h"
+#include "PoiseuilleError.h"
+#include "Run.h"
+
+namespace restenosis {
+namespace {
+
+/// A backend at a fidelity.
+struct FlowChoice {
+  std::string_view backend;
+  const char* fidelity;
+};
+
+/// The reference first.
+constexpr FlowChoice choices[] = {
+    {flowBackendNames::foam, "reference"},    {flowBackendNames::foam, "standard"},
+    {flowBackendNames::foam, "draft"},        {flowBackendNames::lbm, "reference"},
+    {flowBackendNames::lbm, "standard"},      {flowBackendNames::lbm, "draft"},
+    {flowBackendNames::analytic, "standard"},
+};
+
+std::string nameOf(const FlowChoice& choice) {
+  // The law of Poiseuille knows no fidelity
+  if (choice.backend == flowBackendNames::analytic) return std::string(choice.backend);
+  return fmt::format("{} {}", choice.backend, choice.fidelity);
+}
+
+/// The scene with one more override; it has been read without, so only this one can be wrong.
+Scene sceneWith(SceneArguments arguments, const std::string& override) {
+  arguments.overrides.push_back(override);
+  auto scene = arguments.read();
+  if (!scene) throw std::runtime_error(fmt::format("--set {} does not fit this scene", override));
+  return *scene;
+}
+
+bool obeysPoiseuille(const Scene& scene) {
+  return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
+         scene.flow->drive == "flowRate";
+}
+
+}  // namespace
+
+std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std::filesystem::path& folder,
+                                      const TradeoffOptions& options) {
+  const Scene scene = *arguments.read();
+  const ComparedLumen lumen =
+      scene.vessel.lumenSurface.empty()
+          ? deployedLumen(scene, folder / "deployment", options.threads, options.stopRequested)
+          : loadedLumen(scene);
+  const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
+  const std::vector<Vec3> struts = strutMiddles(scene);
+  const bool exact = obeysPoiseuille(scene);
+  std::vector<TradeoffRow> rows;
+  std::optional<SolvedFlow> reference;
+  for (const FlowChoice& choice : choices) {
+    const std::string name = nameOf(choice);
+    std::cerr << fmt::format("{}: solving ...\n", name);
+    const Scene chosen = sceneWith(arguments, fmt::format("scene.fidelity={}", choice.fidelity));
+    const auto backend = makeFlowBackend(choice.backend, {.fidelity = choice.fidelity,
+                                                          .foam = chosen.foam,
+                                                          .lbm = chosen.lbm,
+                                                          .straightEnds = chosen.flow->straightEnds,
+                                                          .ranks = options.ranks,
+                                                          .stopRequested = options.stopRequested});
+    SolvedFlow flow;
+    try {
+      flow = solveForComparison(*backend, lumen.surface, {}, conditions, folder / "flow" / withoutSpaces(name));
+    } catch (const FlowFailed& error) {
+      if (options.stopRequested && *options.stopRequested) throw Interrupted();
+      if (!exact && !reference) throw;
+      std::cerr << fmt::format("{} is left out: {}\n", name, error.what());
+      continue;
+    }
+    if (!exact && !reference) reference = flow;
+    TradeoffRow row{"flow", name, flow.seconds, 0.0, ""};
+    if (exact) {
+      row.meaning = "wall shear stress (L2) against Poiseuille's law";
+      row.error =
+          poiseuilleError(flow.solution.wall, scene.vessel.lumenDiameter, scene.vessel.length, conditions).l2;
+    } else {
+      row.meaning =
+          fmt::format("wall shear stress (L2; struts and ends left out) against {}", nameOf(choices[0]));
+      row.error = compareFlows(lumen.surface, {}, *reference, flow, struts).wall.relativeL2;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace restenosis

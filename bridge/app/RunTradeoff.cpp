@@ -1,0 +1,130 @@
+#include "RunTradeoff.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "AtomicFile.h"
+#include "Progress.h"
+#include "ResultsFolder.h"
+#include "Run.h"
+#include "SceneWriter.h"
+#include "Units.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is read off a run's summary.json.
+struct Outcome {
+  std::string status;
+  double seconds = 0;
+  double day = 0;
+  double thickness = 0;  ///< of the neointima [um]
+  double area = 0;       ///< smallest of the lumen [mm^2]
+  bool ended() const { return status == "finished" || status == "occluded"; }
+};
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+Outcome outcomeIn(const fs::path& folder) {
+  const auto summary = nlohmann::json::parse(contentOf(folder / "summary.json"), nullptr, false);
+  if (summary.is_discarded()) return {};
+  const auto final = summary.at("final");
+  const auto number = [&final](const char* name) {
+    return final.at(name).is_number() ? final.at(name).get<double>() : 0.0;
+  };
+  return {.status = summary.at("status"),
+          .seconds = summary.at("totalSeconds"),
+          .day = number("day"),
+          .thickness = number("neointimaThickness_um"),
+          .area = number("minLumenArea_mm2")};
+}
+
+Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& text,
+               const TradeoffOptions& options) {
+  const bool begun = contentOf(folder / "scene.toml") == text;
+  if (const Outcome former = outcomeIn(folder); begun && former.ended()) return former;
+  const bool goesOn = begun && fs::exists(folder / "checkpoint");
+  const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
+  Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
+  Run run(scene, results, progress,
+          {.threads = options.threads, .ranks = options.ranks, .stopRequested = options.stopRequested});
+  if (goesOn) run.resume();
+  atomicWrite(results.scene(), text);
+  run.go();
+  return outcomeIn(folder);
+}
+
+TradeoffRow compared(const SweptSetting& setting, std::size_t n, const Outcome& reference,
+                     const Outcome& outcome) {
+  TradeoffRow row{setting.key, setting.values[n], outcome.seconds, 0.0, ""};
+  const bool grows = reference.thickness > 0;
+  const double expected = grows ? reference.thickness : reference.area;
+  const double found = grows ? outcome.thickness : outcome.area;
+  row.error = expected > 0 ? std::abs(found / expected - 1) : std::abs(found);
+  row.meaning =
+      fmt::format("{} on day {:.4g} against {} = {}", grows ? "neointima thickness" : "smallest lumen area",
+                  reference.day, setting.key, setting.values.front());
+  return row;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::vector<Scene>>> sweptScenes(const SceneArguments& arguments,
+                                                           const std::vector<SweptSetting>& settings) {
+  std::vector<std::vector<Scene>> all;
+  for (const SweptSetting& setting : settings) {
+    auto& scenes = all.emplace_back();
+    for (const std::string& value : setting.values) {
+      SceneArguments varied = arguments;
+      varied.overrides.push_back(fmt::format("{}={}", setting.key, value));
+      auto scene = varied.read();
+      if (!scene) return std::nullopt;
+      // Only the end is looked at, and what is recorded changes no state
+      scene->output.interval = scene->scene.duration;
+      scene->output.pictures = false;
+      scenes.push_back(std::move(*scene));
+    }
+  }
+  return all;
+}
+
+std::vector<TradeoffRow> runTradeoff(const std::vector<SweptSetting>& settings,
+                                     const std::vector<std::vector<Scene>>& scenes, const fs::path& folder,
+                                     const TradeoffOptions& options) {
+  std::vector<TradeoffRow> rows;
+  std::map<std::string, Outcome> made;  // by the whole scene
+  for (std::size_t s = 0; s < settings.size(); ++s) {
+    std::optional<Outcome> reference;
+    for (std::size_t n = 0; n < settings[s].values.size(); ++n) {
+      const std::string name = fmt::format("{} = {}", settings[s].key, settings[s].values[n]);
+      const std::string text = writeScene(scenes[s][n], Units());
+      auto found = made.find(text);
+      if (found == made.end()) {
+        std::cerr << fmt::format("{}:\n", name);
+        found = made.emplace(text, madeIn(folder / withoutSpaces(name), scenes[s][n], text, options)).first;
+      }
+      const Outcome& outcome = found->second;
+      if (!reference) reference = outcome;
+      if (outcome.day == reference->day) {
+        rows.push_back(compared(settings[s], n, *reference, outcome));
+      } else {
+        std::cerr << fmt::format("{} is left out: it ended on day {:.4g}, not {:.4g}\n", name, outcome.day,
+                                 reference->day);
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace restenosis

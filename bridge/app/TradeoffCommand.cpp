@@ -1,0 +1,131 @@
+#include "TradeoffCommand.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "Checkpoint.h"
+#include "ExitStatus.h"
+#include "Figures.h"
+#include "FlowBackend.h"
+#include "FlowBackendNames.h"
+#include "FlowTradeoff.h"
+#include "ResultsFolder.h"
+#include "Run.h"
+#include "RunTradeoff.h"
+#include "SceneArguments.h"
+#include "StopRequest.h"
+#include "ThreadCount.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TradeoffArguments {
+  SceneArguments scene;
+  std::string folder;
+  std::vector<std::string> vary;
+  int threads = 0;
+  int ranks = 1;
+};
+
+bool solvesFlow(const Scene& scene) { return scene.flow && scene.flow->backend != flowBackendNames::none; }
+
+/// What is swept: what the user asks for, or what suits the scene.
+std::vector<SweptSetting> settingsFor(const Scene& scene, const std::vector<std::string>& vary) {
+  if (vary.empty()) return sweptSettings(scene);
+  std::vector<SweptSetting> settings;
+  for (const std::string& text : vary) settings.push_back(readSweptSetting(text));
+  return settings;
+}
+
+void nameFiles(const fs::path& folder) {
+  std::cout << fmt::format("\n{}:\n", folder.string());
+  for (const auto& [file, what] :
+       {std::pair("tradeoff.csv", "the same numbers"), std::pair("tradeoff.png", "picture")})
+    if (fs::exists(folder / file)) std::cout << fmt::format("  {:<16} {}\n", file, what);
+}
+
+int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path& folder,
+          const std::vector<SweptSetting>& settings, const std::vector<std::vector<Scene>>& scenes) {
+  createOutputFolder(folder);
+  const TradeoffOptions options{
+      .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
+  omp_set_num_threads(options.threads);
+  std::vector<TradeoffRow> rows;
+  if (arguments.vary.empty() && solvesFlow(scene)) rows = flowTradeoff(arguments.scene, folder, options);
+  const auto runs = runTradeoff(settings, scenes, folder / "runs", options);
+  rows.insert(rows.end(), runs.begin(), runs.end());
+  writeTradeoffCsv(folder / "tradeoff.csv", rows);
+  if (scene.output.pictures) {
+    const std::string obstacle = Figures().draw(folder);
+    if (!obstacle.empty()) std::cerr << obstacle << '\n';
+  }
+  std::cout << '\n' << tradeoffTable(rows);
+  nameFiles(folder);
+  return ExitStatus::done;
+}
+
+int trySweep(const TradeoffArguments& arguments) {
+  const auto scene = arguments.scene.read();
+  if (!scene) return ExitStatus::wrongInput;
+  try {
+    const auto settings = settingsFor(*scene, arguments.vary);
+    if (settings.empty() && !solvesFlow(*scene)) {
+      std::cerr << fmt::format("{}: it has neither tissue nor flow: there is nothing to trade\n",
+                               arguments.scene.file);
+      return ExitStatus::wrongInput;
+    }
+    const auto scenes = sweptScenes(arguments.scene, settings);
+    if (!scenes) return ExitStatus::wrongInput;
+    const fs::path folder = arguments.folder.empty() ? fs::path("results") / (scene->name + "-tradeoff")
+                                                     : fs::path(arguments.folder);
+    return sweep(*scene, arguments, folder, settings, *scenes);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const FolderRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const CheckpointRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const FlowFailed& error) {
+    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
+    if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
+  } catch (const Interrupted&) {
+    std::cerr << "\ninterrupted; the same command goes on with the runs\n";
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("\n{}\n", error.what());
+  }
+  return ExitStatus::failed;
+}
+
+}  // namespace
+
+void addTradeoffCommand(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand(
+      "tradeoff",
+      "what accuracy costs: the flow at every fidelity, and runs with coarser and finer settings");
+  auto arguments = std::make_shared<TradeoffArguments>();
+  arguments->scene.addTo(*command);
+  command->add_option("-o,--output", arguments->folder,
+                      "folder for the results (default: results/<scene name>-tradeoff)");
+  command
+      ->add_option(
+          "--vary", arguments->vary,
+          "run the scene with each value of a key and nothing else: SECTION.KEY=VALUE,VALUE,..., the "
+          "most accurate first, as in --vary \"coupling.lumenTolerance=1 um,5 um,20 um\"")
+      ->allow_extra_args(false);
+  command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
+      ->check(CLI::Range(1, mostThreads));
+  command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  command->callback([arguments, &status] { status = trySweep(*arguments); });
+}
+
+}  // namespace restenosis
