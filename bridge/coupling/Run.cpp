@@ -120,7 +120,7 @@ void Run::prepareWall() {
     world_.wall =
         scene_.vessel.agents.empty()
             ? packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed))
-            : adoptWall(scene_.vessel, readAgentTable(scene_.vessel.agents));
+            : adoptWall(scene_.vessel, readAgentTable(scene_.vessel.agents).agents);
     world_.progress.stage("packing the wall", 1, 1);
   }
   stage_ = Stage::deploying;

@@ -50,7 +50,7 @@ std::vector<SectionPoint> sectionPoints(const StrutSegment& segment, double radi
 }
 
 Stent stentFromTable(const StentParameters& parameters, const VesselParameters& vessel) {
-  const AgentStore table = readAgentTable(parameters.file, AgentKind::strut);
+  const AgentStore table = readAgentTable(parameters.file, AgentKind::strut).agents;
   Stent stent;
   double outermost = 0;
   for (Index i = 0; i < table.size(); ++i) {

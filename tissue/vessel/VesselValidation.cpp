@@ -95,7 +95,7 @@ class Validation {
 
   void checkStentTable(const StentParameters& s, const VesselParameters& v) {
     if (!checkTable("stent.file", s.file, AgentKind::strut)) return;
-    const AgentStore table = readAgentTable(s.file, AgentKind::strut);
+    const AgentStore table = readAgentTable(s.file, AgentKind::strut).agents;
     for (Index i = 0; i < table.size(); ++i) {
       if (table.z[i] >= 0 && table.z[i] <= v.length) continue;
       add("stent.file",
