@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "AgentTable.h"
 #include "CyclePart.h"
 #include "Deployment.h"
 #include "EndotheliumPart.h"
@@ -23,6 +22,7 @@
 #include "SummaryJson.h"
 #include "WallPacking.h"
 #include "WallShearPart.h"
+#include "WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -116,11 +116,12 @@ void Run::go() {
 void Run::prepareWall() {
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
+    const bool loaded = !scene_.vessel.agents.empty();
     world_.progress.stage("packing the wall", 0, 1);
     world_.wall =
-        scene_.vessel.agents.empty()
-            ? packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed))
-            : adoptWall(scene_.vessel, readAgentTable(scene_.vessel.agents).agents);
+        loaded
+            ? adoptWall(scene_.vessel, readWallTable(scene_.vessel, scene_.stent ? &*scene_.stent : nullptr))
+            : packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
     world_.progress.stage("packing the wall", 1, 1);
   }
   stage_ = Stage::deploying;

@@ -29,7 +29,8 @@ struct AgentTable {
 /// any order: x, y, z, radius [um] and kind (smc, iel, eel, strut; without the column every agent is
 /// `defaultKind`). A comment goes from # to the end of its line. Ids are given in the order of the lines.
 /// Throws AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite
-/// number, a radius that is not positive, an unknown kind, or a table without agents.
+/// number, a radius that is not positive, an unknown kind, or a table without agents. Whether the agents fit
+/// a vessel is for readWallTable and readStrutTable to say.
 AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
 /// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be
