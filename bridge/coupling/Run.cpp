@@ -117,12 +117,13 @@ void Run::prepareWall() {
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
     const bool loaded = !scene_.vessel.agents.empty();
-    world_.progress.stage("packing the wall", 0, 1);
+    const std::string stage = loaded ? "loading the wall" : "packing the wall";
+    world_.progress.stage(stage, 0, 1);
     world_.wall =
         loaded
             ? adoptWall(scene_.vessel, readWallTable(scene_.vessel, scene_.stent ? &*scene_.stent : nullptr))
             : packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
-    world_.progress.stage("packing the wall", 1, 1);
+    world_.progress.stage(stage, 1, 1);
   }
   stage_ = Stage::deploying;
   saveCheckpoint();
