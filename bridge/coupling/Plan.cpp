@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "AgentTable.h"
 #include "Biology.h"
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
@@ -64,6 +65,21 @@ std::string flowSchedule(const Scene& scene) {
   return text;
 }
 
+/// Agents, memory and time of the tissue, or empty where there is none.
+std::string costText(const Scene& scene, std::uint32_t steps) {
+  if (!scene.hasTissue()) return "";
+  const CostEstimate cost;
+  const bool loaded = !scene.vessel.agents.empty();
+  const double agents =
+      loaded ? readAgentTable(scene.vessel.agents).agents.size() : std::round(estimatedAgents(scene));
+  const double packing = loaded ? 0 : cost.packSecondsPerAgent;
+  const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
+  const double seconds = agents * (packing + deploySteps * cost.deploySecondsPerStep +
+                                   (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
+  return fmt::format("{}{:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
+                     loaded ? "" : "about ", agents, 100 + agents * cost.bytesPerAgent / 1e6, seconds);
+}
+
 }  // namespace
 
 std::vector<PlannedPart> planParts(const Scene& scene) {
@@ -77,7 +93,7 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
       !tissue && loaded ? "no [mechanics], so no tissue: the lumen is " + scene.vessel.lumenSurface
       : !tissue         ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
       : scene.vessel.agents.empty() ? "packed once, then relaxed"
-                                    : "loaded from " + scene.vessel.agents);
+                                    : "loaded as it stands from " + scene.vessel.agents);
   add("deployment", scene.stent.has_value(),
       scene.stent ? fmt::format("{} steps to {:g} um, the wall relaxing after each",
                                 scene.stent->deploymentSteps, scene.stent->deploymentDepth * 1e6)
@@ -126,17 +142,7 @@ std::string planText(const Scene& scene) {
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
   for (const PlannedPart& part : planParts(scene))
     text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
-  const double agents = estimatedAgents(scene);
-  if (agents > 0) {
-    const CostEstimate cost;
-    const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
-    const double seconds = agents * (cost.packSecondsPerAgent + deploySteps * cost.deploySecondsPerStep +
-                                     (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
-    text +=
-        fmt::format("about {:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
-                    agents, 100 + agents * cost.bytesPerAgent / 1e6, seconds);
-  }
-  return text;
+  return text + costText(scene, steps);
 }
 
 }  // namespace restenosis

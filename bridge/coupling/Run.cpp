@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "AgentTable.h"
 #include "CyclePart.h"
 #include "Deployment.h"
 #include "EndotheliumPart.h"
@@ -23,6 +22,7 @@
 #include "SummaryJson.h"
 #include "WallPacking.h"
 #include "WallShearPart.h"
+#include "WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -120,12 +120,14 @@ void Run::go() {
 void Run::prepareWall() {
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
-    world_.progress.stage("packing the wall", 0, 1);
+    const bool loaded = !scene_.vessel.agents.empty();
+    const std::string stage = loaded ? "loading the wall" : "packing the wall";
+    world_.progress.stage(stage, 0, 1);
     world_.wall =
-        scene_.vessel.agents.empty()
-            ? packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed))
-            : adoptWall(scene_.vessel, readAgentTable(scene_.vessel.agents));
-    world_.progress.stage("packing the wall", 1, 1);
+        loaded
+            ? adoptWall(scene_.vessel, readWallTable(scene_.vessel, scene_.stent ? &*scene_.stent : nullptr))
+            : packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
+    world_.progress.stage(stage, 1, 1);
   }
   stage_ = Stage::deploying;
   saveCheckpoint();

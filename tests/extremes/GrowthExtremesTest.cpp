@@ -107,6 +107,7 @@ pictures = false
 )";
   const ProcessEnd end = run({"run", scene("few", text), "-o", "out"});
   EXPECT_EXIT_STATUS(end, 0);
+  EXPECT_NE((end.out + end.err).find("loading the wall"), std::string::npos) << end.out << end.err;
   if (end.status == 0) {
     EXPECT_GT(summary("out")["final"]["divisions"], 0);
   }

@@ -116,6 +116,20 @@ TEST_F(WrongScene, AnOverrideIsNamedAsTyped) {
                 {"--set vessel.length: ", "larger than 0 mm"});
 }
 
+TEST_F(WrongScene, TablesThatDoNotFitTheVesselAreNamedWithTheirLine) {
+  writeText(folder / "agents.csv", "x,y,z,radius,kind\n# in mm\n0.22,0,0.12,0.018,iel\n");
+  writeText(folder / "struts.csv", "x,y,z,radius\n0,190,120,10\n0,1900,120,10\n");
+  const std::string wall = scene(
+      "wall", with(tinyScene, "cellRadius = \"18 um\"", "cellRadius = \"18 um\"\nagents = \"agents.csv\""));
+  const std::string struts = scene("struts", with(tinyScene, "design = \"ring\"", "file = \"struts.csv\""));
+  for (const char* command : {"run", "check"}) {
+    expectRefused({command, wall},
+                  {"wall.toml:13: 'agents' in [vessel]: ", "agents.csv:3: a radius of 0.018 um"});
+    expectRefused({command, struts},
+                  {"struts.toml:15: 'file' in [stent]: ", "struts.csv:3: the sphere lies 1900 um"});
+  }
+}
+
 TEST_F(WrongScene, EverySlipIsReportedAtOnce) {
   const std::string file =
       scene("slips", with(with(tinyScene, "seed = 1", "sead = 1"), "\"18 um\"", "\"18 s\""));

@@ -8,9 +8,9 @@
 namespace restenosis {
 namespace {
 
-class AgentTable : public testing::Test {
+class AgentTableTest : public testing::Test {
  protected:
-  ~AgentTable() override { std::filesystem::remove(file); }
+  ~AgentTableTest() override { std::filesystem::remove(file); }
   void write(const std::string& text) { std::ofstream(file) << text; }
   std::string errorOf(const std::string& text) {
     write(text);
@@ -25,12 +25,12 @@ class AgentTable : public testing::Test {
       std::filesystem::temp_directory_path() / ("agents-" + std::to_string(getpid()) + ".csv");
 };
 
-TEST_F(AgentTable, ReadsWhatItWrote) {
+TEST_F(AgentTableTest, ReadsWhatItWrote) {
   AgentStore agents;
   agents.append(AgentKind::iel, {915e-6, -1.25e-9, 1.0 / 3 * 1e-3}, 15e-6);
   agents.append(AgentKind::strut, {0, 0, 0}, 7.5e-6);
   writeAgentTable(file, agents);
-  const AgentStore read = readAgentTable(file);
+  const AgentStore read = readAgentTable(file).agents;
   ASSERT_EQ(read.size(), 2u);
   for (Index i = 0; i < 2; ++i) {
     EXPECT_LT((read.position(i) - agents.position(i)).norm(), 1e-18);
@@ -39,15 +39,25 @@ TEST_F(AgentTable, ReadsWhatItWrote) {
   }
 }
 
-TEST_F(AgentTable, TakesColumnsInAnyOrderAndTheDefaultKind) {
+TEST_F(AgentTableTest, TakesColumnsInAnyOrderAndTheDefaultKind) {
   write("# made by hand\nradius, z, y, x\r\n\n15, 3, 2, 1\r\n");
-  const AgentStore agents = readAgentTable(file, AgentKind::strut);
+  const AgentStore agents = readAgentTable(file, AgentKind::strut).agents;
   ASSERT_EQ(agents.size(), 1u);
   EXPECT_LT((agents.position(0) - Vec3(1e-6, 2e-6, 3e-6)).norm(), 1e-18);
   EXPECT_EQ(agents.kind[0], AgentKind::strut);
 }
 
-TEST_F(AgentTable, NamesFileAndLineOfEveryError) {
+TEST_F(AgentTableTest, TakesWhatSpreadsheetsAndHandsWrite) {
+  write("\xEF\xBB\xBFx,y,z,radius,kind # um\n+1,2,3,+1.5e1,smc # first\n  # none\n4,5,6,15,iel#last\n");
+  const AgentTable table = readAgentTable(file);
+  ASSERT_EQ(table.agents.size(), 2u);
+  EXPECT_LT((table.agents.position(0) - Vec3(1e-6, 2e-6, 3e-6)).norm(), 1e-18);
+  EXPECT_NEAR(table.agents.radius[0], 15e-6, 1e-18);
+  EXPECT_EQ(table.agents.kind[1], AgentKind::iel);
+  EXPECT_EQ(table.lines, (std::vector<std::size_t>{2, 4}));
+}
+
+TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
   const std::string header = "x,y,z,radius,kind\n";
   const std::pair<std::string, std::string> cases[] = {
       {"x,y,z\n1,2,3\n", ":1: column 'radius' is missing"},
@@ -56,6 +66,10 @@ TEST_F(AgentTable, NamesFileAndLineOfEveryError) {
       {header + "1,2,3,15\n", ":2: 4 cells where the header names 5 columns"},
       {header + "1,2,3,15,smc\n1,two,3,15,smc\n", ":3: column 'y': 'two' is not a finite number"},
       {header + "1,nan,3,15,smc\n", ":2: column 'y': 'nan' is not a finite number"},
+      {header + "1,+-2,3,15,smc\n", ":2: column 'y': '+-2' is not a finite number"},
+      {header + "1,++2,3,15,smc\n", ":2: column 'y': '++2' is not a finite number"},
+      {header + "1,+,3,15,smc\n", ":2: column 'y': '+' is not a finite number"},
+      {header + "1,2,3 # ,15,smc\n", ":2: 3 cells where the header names 5 columns"},
       {header + "1,,3,15,smc\n", ":2: column 'y': '' is not a finite number"},
       {header + "1,2,3,0,smc\n", ":2: the radius must be larger than 0 um"},
       {header + "1,2,3,15,ecm\n", ":2: unknown kind 'ecm'; allowed are smc, iel, eel, strut"},

@@ -88,9 +88,14 @@ TEST_F(Validate, TablesThatCannotBeUsed) {
   stent.file.clear();
   vessel.agents = "/nowhere.csv";
   EXPECT_EQ(keys(), "vessel.agents ");
+  std::ofstream(file) << "x,y,z,radius\n900,0,9000,15\n";
   vessel.agents = file.string();
+  EXPECT_EQ(keys(), "vessel.agents ");
+  std::ofstream(file) << "x,y,z,radius\n900,0,90,15\n";
+  EXPECT_EQ(keys(), "vessel.agents ");  // no wall around the stent
+  EXPECT_TRUE(validate(vessel, nullptr).empty());
   vessel.lumenSurface = "lumen.stl";
-  EXPECT_EQ(keys(), "vessel.lumenSurface ");
+  EXPECT_EQ(keys(), "vessel.lumenSurface vessel.agents ");
   std::filesystem::remove(file);
 }
 

@@ -17,6 +17,9 @@ namespace {
 
 constexpr double metresPerUm = 1e-6;
 
+/// What spreadsheets put before UTF-8 text.
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
 constexpr std::array<std::pair<std::string_view, AgentKind>, 4> kinds = {
     {{"smc", AgentKind::smc}, {"iel", AgentKind::iel}, {"eel", AgentKind::eel}, {"strut", AgentKind::strut}}};
 
@@ -29,6 +32,8 @@ std::string_view trimmed(std::string_view text) {
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
+
+std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find('#')); }
 
 std::vector<std::string_view> cellsOf(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -47,21 +52,24 @@ class TableReader {
     if (!stream_) throw AgentTableError(fmt::format("{}: cannot be opened", file.string()));
   }
 
-  AgentStore read() {
-    AgentStore agents;
+  AgentTable read() {
+    AgentTable table{.file = file_, .agents = {}, .lines = {}};
     bool header = true;
     for (std::string line; std::getline(stream_, line);) {
       ++line_;
-      const std::string_view text = trimmed(line);
-      if (text.empty() || text.front() == '#') continue;
+      std::string_view text = line;
+      if (line_ == 1 && text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+      text = trimmed(withoutComment(text));
+      if (text.empty()) continue;
       if (std::exchange(header, false)) {
         readHeader(text);
       } else {
-        readAgent(text, agents);
+        readAgent(text, table.agents);
+        table.lines.push_back(line_);
       }
     }
-    if (agents.size() == 0) throw AgentTableError(fmt::format("{}: holds no agents", file_.string()));
-    return agents;
+    if (table.agents.size() == 0) throw AgentTableError(fmt::format("{}: holds no agents", file_.string()));
+    return table;
   }
 
  private:
@@ -106,9 +114,11 @@ class TableReader {
   }
 
   double number(std::string_view cell, std::string_view column) const {
+    std::string_view digits = cell;
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
       fail(fmt::format("column '{}': '{}' is not a finite number", column, cell));
     }
     return value;
@@ -130,7 +140,11 @@ class TableReader {
 
 }  // namespace
 
-AgentStore readAgentTable(const std::filesystem::path& file, AgentKind defaultKind) {
+void AgentTable::fail(Index i, const std::string& message) const {
+  throw AgentTableError(fmt::format("{}:{}: {}", file.string(), lines[i], message));
+}
+
+AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind) {
   return TableReader(file, defaultKind).read();
 }
 

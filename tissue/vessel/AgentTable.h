@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "AgentStore.h"
 
@@ -13,12 +15,23 @@ struct AgentTableError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads agents from a CSV table. The first line that is neither empty nor a comment (#) names the columns,
-/// in any order: x, y, z, radius [um] and kind (smc, iel, eel, strut; without the column every agent is
-/// `defaultKind`). Ids are given in the order of the lines. Throws AgentTableError for a missing or unknown
-/// column, a wrong number of cells, a cell that is no finite number, a radius that is not positive, an
-/// unknown kind, or a table without agents.
-AgentStore readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
+/// The agents of a table, and where each of them stands in its file.
+struct AgentTable {
+  std::filesystem::path file;
+  AgentStore agents;
+  std::vector<std::size_t> lines;  ///< of each agent, the first line of the file is 1
+
+  /// Throws an AgentTableError about agent i: file, line, message.
+  [[noreturn]] void fail(Index i, const std::string& message) const;
+};
+
+/// Reads agents from a CSV table. The first line that is neither empty nor a comment names the columns, in
+/// any order: x, y, z, radius [um] and kind (smc, iel, eel, strut; without the column every agent is
+/// `defaultKind`). A comment goes from # to the end of its line. Ids are given in the order of the lines.
+/// Throws AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite
+/// number, a radius that is not positive, an unknown kind, or a table without agents. Whether the agents fit
+/// a vessel is for readWallTable and readStrutTable to say.
+AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
 /// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be
 /// written.

@@ -6,6 +6,7 @@
 
 #include "Cylindrical.h"
 #include "StentDesign.h"
+#include "StrutTable.h"
 
 namespace restenosis {
 namespace {
@@ -50,12 +51,11 @@ std::vector<SectionPoint> sectionPoints(const StrutSegment& segment, double radi
 }
 
 Stent stentFromTable(const StentParameters& parameters, const VesselParameters& vessel) {
-  const AgentStore table = readAgentTable(parameters.file, AgentKind::strut);
+  const StrutTable table = readStrutTable(parameters, vessel);
   Stent stent;
-  double outermost = 0;
-  for (Index i = 0; i < table.size(); ++i) {
-    const Vec3 place = table.position(i);
-    const double radius = table.radius[i];
+  for (Index i = 0; i < table.spheres.size(); ++i) {
+    const Vec3 place = table.spheres.position(i);
+    const double radius = table.spheres.radius[i];
     stent.segments.push_back({.a = place,
                               .b = place,
                               .radial = radialAt(place),
@@ -63,9 +63,8 @@ Stent stentFromTable(const StentParameters& parameters, const VesselParameters& 
                               .thickness = 2 * radius,
                               .round = true});
     stent.spheres.push_back({.segment = i, .along = 0, .across = 0, .outward = 0, .radius = radius});
-    outermost = std::max(outermost, radiusOf(place) + radius);
   }
-  return stent.movedOutwards(vessel.lumenDiameter / 2 - outermost);
+  return stent.movedOutwards(table.outwards);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "AgentTable.h"
 #include "Stent.h"
 #include "StentParameters.h"
 #include "VesselParameters.h"
@@ -14,7 +13,7 @@ std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segme
 
 /// The stent of a scene before deployment, its outer face at the lumen's surface: a design, or the spheres of
 /// a table, each a strut segment of its own, moved along their radii so that the outermost touches the lumen.
-/// Throws AgentTableError for a bad table, std::invalid_argument for an unknown design.
+/// Throws AgentTableError for a table that does not fit, std::invalid_argument for an unknown design.
 Stent makeStent(const StentParameters& stent, const VesselParameters& vessel);
 
 }  // namespace restenosis

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include "AgentCounts.h"
-#include "AgentTable.h"
 #include "StentDesign.h"
+#include "StrutTable.h"
+#include "WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -15,7 +16,7 @@ class Validation {
  public:
   std::vector<ParameterProblem> problems;
 
-  void checkVessel(const VesselParameters& v) {
+  void checkVessel(const VesselParameters& v, const StentParameters* s) {
     if (!v.agents.empty() && !v.lumenSurface.empty()) {
       add("vessel.lumenSurface", "a vessel is made of 'agents' or has a 'lumenSurface', not both");
     }
@@ -31,7 +32,7 @@ class Validation {
                                                v.stenosisLength / mm, v.length / mm));
     }
     if (!v.agents.empty()) {
-      checkTable("vessel.agents", v.agents, AgentKind::smc);
+      checkTable("vessel.agents", [&] { readWallTable(v, s); });
     } else {
       try {
         countAgents(v);
@@ -44,7 +45,7 @@ class Validation {
   void checkStent(const StentParameters& s, const VesselParameters& v) {
     checkDepth(s, v);
     if (!s.file.empty()) {
-      checkStentTable(s, v);
+      checkTable("stent.file", [&] { readStrutTable(s, v); });
       return;
     }
     if (s.strutThickness >= v.lumenDiameter / 2) {
@@ -72,13 +73,12 @@ class Validation {
  private:
   void add(std::string key, std::string message) { problems.push_back({std::move(key), std::move(message)}); }
 
-  bool checkTable(const std::string& key, const std::string& file, AgentKind defaultKind) {
+  template <class Read>
+  void checkTable(const std::string& key, const Read& read) {
     try {
-      readAgentTable(file, defaultKind);
-      return true;
+      read();
     } catch (const AgentTableError& error) {
       add(key, error.what());
-      return false;
     }
   }
 
@@ -90,18 +90,6 @@ class Validation {
               "{:.4g} um is beyond the wall: at most {:.4g} um leave the EEL (vessel.wallThickness less "
               "a cell's diameter)",
               s.deploymentDepth / um, deepest / um));
-    }
-  }
-
-  void checkStentTable(const StentParameters& s, const VesselParameters& v) {
-    if (!checkTable("stent.file", s.file, AgentKind::strut)) return;
-    const AgentStore table = readAgentTable(s.file, AgentKind::strut);
-    for (Index i = 0; i < table.size(); ++i) {
-      if (table.z[i] >= 0 && table.z[i] <= v.length) continue;
-      add("stent.file",
-          fmt::format("{}: the strut agent at z = {:.4g} um lies outside the vessel (0 to {:.4g} um)", s.file,
-                      table.z[i] / um, v.length / um));
-      return;
     }
   }
 
@@ -129,7 +117,7 @@ class Validation {
 
 std::vector<ParameterProblem> validate(const VesselParameters& vessel, const StentParameters* stent) {
   Validation validation;
-  validation.checkVessel(vessel);
+  validation.checkVessel(vessel, stent);
   if (stent) validation.checkStent(*stent, vessel);
   return std::move(validation.problems);
 }

@@ -16,7 +16,7 @@ struct ParameterProblem {
 
 /// Everything about the vessel and the stent (null: none) that does not fit together: a stent longer than the
 /// vessel, struts thicker than the lumen, a depth beyond the wall, rings that overlap, tables that cannot be
-/// read. Empty if all is well.
+/// read or do not fit the vessel. Empty if all is well.
 std::vector<ParameterProblem> validate(const VesselParameters& vessel, const StentParameters* stent);
 
 }  // namespace restenosis

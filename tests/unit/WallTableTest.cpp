@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "TemporaryFolder.h"
+#include "WallTable.h"
+
+namespace restenosis {
+namespace {
+
+/// Tables of a wall of four layers, eight agents along each generatrix, in a vessel that it fits.
+class WallTable : public testing::Test {
+ protected:
+  WallTable() {
+    vessel.length = 0.2e-3;
+    vessel.lumenDiameter = 0.5e-3;
+    vessel.wallThickness = 0.12e-3;
+    vessel.agents = (folder.path() / "w.csv").string();
+    stent.deploymentDepth = 60e-6;
+  }
+  /// The rows of the wall, all lengths times `scale`, moved in x by `shift` [um].
+  static std::string wall(double scale = 1, double shift = 0) {
+    std::string rows = "x,y,z,radius,kind\n";
+    for (const auto& [radius, kind] : {std::pair(265, "iel"), {295, "smc"}, {325, "smc"}, {355, "eel"}}) {
+      const int around = static_cast<int>(2 * std::numbers::pi * radius / 28);
+      for (int k = 0; k < 8; ++k) {
+        for (int j = 0; j < around; ++j) {
+          const double angle = 2 * std::numbers::pi * (j + 0.5 * (k % 2)) / around;
+          rows += fmt::format("{},{},{},{},{}\n", scale * (radius * std::cos(angle) + shift),
+                              scale * radius * std::sin(angle), scale * (5 + 27 * k), scale * 15, kind);
+        }
+      }
+    }
+    return rows;
+  }
+  /// What is said of a table after the name of its file, or "accepted".
+  std::string finding(const std::string& text, const StentParameters* with = nullptr) const {
+    writeText(vessel.agents, text);
+    try {
+      readWallTable(vessel, with);
+      return "accepted";
+    } catch (const AgentTableError& error) {
+      const std::string message = error.what();
+      EXPECT_TRUE(message.starts_with(vessel.agents)) << message;
+      return message.substr(vessel.agents.size());
+    }
+  }
+  static std::size_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
+
+  TemporaryFolder folder;
+  VesselParameters vessel;
+  StentParameters stent;
+};
+
+#define EXPECT_FINDING(text, beginning) EXPECT_TRUE((text).starts_with(beginning)) << (text)
+
+TEST_F(WallTable, AWallThatFitsIsTaken) {
+  EXPECT_EQ(finding(wall()), "accepted");
+  EXPECT_EQ(finding(wall(), &stent), "accepted");
+  EXPECT_EQ(readWallTable(vessel, &stent).size(), lines(wall()) - 1);
+}
+
+TEST_F(WallTable, DeformedWallsAndStrutsWithoutAStentAreTaken) {
+  EXPECT_EQ(finding(wall() + "0,0,100,15,smc\n240,0,100,7.5,strut\n"), "accepted");
+  EXPECT_EQ(finding(wall() + "500,0,100,21,smc\n-295,10,-10,15,smc\n295,10,214,15,smc\n"), "accepted");
+  EXPECT_EQ(finding(wall(1, 100)), "accepted");
+}
+
+TEST_F(WallTable, AFewCellsAreATissueToo) {
+  EXPECT_EQ(finding("x,y,z,radius\n300,0,100,15\n"), "accepted");
+  EXPECT_FINDING(finding("x,y,z,radius\n300,0,100,15\n", &stent), ": no agent stands between 45 and 90 deg");
+}
+
+TEST_F(WallTable, AnotherUnitIsToldByTheRadius) {
+  for (const auto& [scale, shown] : {std::pair(1e-6, "1.5e-05"), {1e-3, "0.015"}, {1e3, "15000"}}) {
+    EXPECT_FINDING(finding(wall(scale)), fmt::format(":2: a radius of {} um; allowed are 1.5 to 150 um, a "
+                                                     "tenth to ten times vessel.cellRadius",
+                                                     shown));
+  }
+}
+
+TEST_F(WallTable, OneRowThatIsMisplacedIsNamed) {
+  const std::string line = fmt::format(":{}: ", lines(wall()) + 1);
+  const std::pair<const char*, const char*> cases[] = {
+      {"5000,0,100,15,smc\n", "the agent lies 5000 um from the axis (x = y = 0); allowed are at most 555 um"},
+      {"1e300,0,100,15,smc\n", "the agent lies 1e+300 um from the axis"},
+      {"295,0,100000,15,smc\n",
+       "the agent at z = 100000 um lies outside the vessel; allowed are 0 to 200 um"},
+      {"-295,0,-50,15,smc\n", "the agent at z = -50 um lies outside the vessel"},
+      {"295,10,100,200,smc\n", "a radius of 200 um; allowed are 1.5 to 150 um"},
+      {"295,10,100,100000,smc\n", "a radius of 100000 um"},
+      {"295,10,100,1e-300,smc\n", "a radius of 1e-300 um"}};
+  for (const auto& [row, message] : cases) {
+    EXPECT_FINDING(finding(wall() + row + "9000,0,0,15,smc\n"), line + message);
+  }
+}
+
+TEST_F(WallTable, TwoAgentsAtOnePlaceAreNamed) {
+  const std::string line =
+      fmt::format(":{}: the agent is at the place of the one in line ", lines(wall()) + 2);
+  const std::string own = wall() + "300,11,90,15,smc\n";
+  EXPECT_FINDING(finding(own + "300,11,90,15,smc\n300,11,90,15,smc\n"),
+                 line + fmt::format("{};", lines(own)));
+  EXPECT_FINDING(finding(own + "300.00001,11,90.00001,15,smc\n"), line + fmt::format("{};", lines(own)));
+  EXPECT_EQ(finding(own + "300.0001,11,90,15,smc\n"), "accepted");
+}
+
+TEST_F(WallTable, AWallThatIsNotAboutTheAxisIsRefused) {
+  EXPECT_FINDING(finding(wall(1, 400)), ":2: the agent lies 665 um from the axis");
+  vessel.lumenDiameter = 1e-3;  // so wide that every row lies within its bounds
+  EXPECT_FINDING(finding(wall(1, 400)),
+                 ": no agent stands between 90 and 135 degrees about the axis (x = y = 0)");
+}
+
+TEST_F(WallTable, ExchangedColumnsAreRefused) {
+  std::string text = wall();
+  text.replace(0, 5, "z,y,x");
+  EXPECT_FINDING(finding(text), ":2: the agent at z = 265 um lies outside the vessel");
+}
+
+TEST_F(WallTable, AWallTooSmallForTheVesselIsRefused) {
+  vessel.lumenDiameter = 1.8e-3;
+  EXPECT_NE(
+      finding(wall()).find("the outermost agent reaches 370 um from the axis, but the wall in [vessel] has "
+                           "an outer radius of 1020 um"),
+      std::string::npos)
+      << finding(wall());
+  vessel.lumenDiameter = 0.5e-3;
+  vessel.length = 1.2e-3;
+  EXPECT_FINDING(finding(wall()), ": no agent stands between z = 194 and 1200 um");
+}
+
+TEST_F(WallTable, AStentOutsideOfTheWallIsRefused) {
+  vessel.lumenDiameter = 0.9e-3;
+  EXPECT_EQ(finding(wall()), "accepted");
+  EXPECT_FINDING(finding(wall(), &stent),
+                 ": between 0 and 45 degrees about the axis (x = y = 0) the wall "
+                 "reaches 370 um, but the stent 510 um");
+}
+
+TEST_F(WallTable, StrutsBesideAStentAreRefused) {
+  EXPECT_FINDING(finding(wall() + "240,0,100,7.5,strut\n", &stent),
+                 fmt::format(":{}: a strut in the wall of a scene with [stent]", lines(wall()) + 1));
+}
+
+}  // namespace
+}  // namespace restenosis

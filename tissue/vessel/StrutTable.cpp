@@ -1,0 +1,80 @@
+#include "StrutTable.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "Cylindrical.h"
+#include "TableBounds.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double um = 1e-6;
+
+/// That of the smallest cells a scene may have; assumed: no strut is thinner than 10 um.
+constexpr double leastRadius = 1 * um;
+
+/// A sphere as thick as the lumen's radius is where a strut of a design stops fitting too. With every centre
+/// in the outer half, none of these can reach over the axis. Assumed.
+double halfLumenRadius(const VesselParameters& vessel) { return vessel.lumenDiameter / 4; }
+
+void checkSphere(const AgentTable& table, Index i, const VesselParameters& vessel) {
+  const AgentStore& spheres = table.agents;
+  const double radius = spheres.radius[i], z = spheres.z[i], distance = radiusOf(spheres.position(i));
+  if (spheres.kind[i] != AgentKind::strut) {
+    table.fail(i, "the kind is not strut; a stent's table holds struts only, and needs no column 'kind'");
+  }
+  if (radius < leastRadius || radius > halfLumenRadius(vessel)) {
+    table.fail(i, fmt::format("a radius of {:.6g} um; allowed are {:.6g} to {:.6g} um, a quarter of "
+                              "vessel.lumenDiameter. Lengths of a table are in um",
+                              radius / um, leastRadius / um, halfLumenRadius(vessel) / um));
+  }
+  if (z < 0 || z > vessel.length) {
+    table.fail(i,
+               fmt::format("the sphere at z = {:.6g} um lies outside the vessel; allowed are 0 to {:.6g} um "
+                           "(vessel.length)",
+                           z / um, vessel.length / um));
+  }
+  const double farthest = tableBounds::farthest(vessel);
+  if (distance - radius > farthest) {
+    table.fail(
+        i,
+        fmt::format("the sphere lies {:.6g} um from the axis (x = y = 0); allowed are at most {:.6g} um, 1.5 "
+                    "times the outer radius of the wall in [vessel], and a radius beyond",
+                    distance / um, farthest / um));
+  }
+  if (distance < radius) {
+    table.fail(i, fmt::format("the sphere lies over the axis (x = y = 0): its centre is {:.6g} um from it; "
+                              "allowed is at least its radius of {:.6g} um",
+                              distance / um, radius / um));
+  }
+}
+
+}  // namespace
+
+StrutTable readStrutTable(const StentParameters& stent, const VesselParameters& vessel) {
+  AgentTable table = readAgentTable(stent.file, AgentKind::strut);
+  const AgentStore& spheres = table.agents;
+  const auto reach = [&spheres](Index i) { return radiusOf(spheres.position(i)) + spheres.radius[i]; };
+  Index outermost = 0;
+  for (Index i = 0; i < spheres.size(); ++i) {
+    checkSphere(table, i, vessel);
+    if (reach(i) > reach(outermost)) outermost = i;
+  }
+  const double outwards = vessel.lumenDiameter / 2 - reach(outermost);
+  for (Index i = 0; i < spheres.size(); ++i) {
+    const double moved = radiusOf(spheres.position(i)) + outwards;
+    // The thickest sphere that is allowed lies on this bound when it touches the lumen.
+    if (moved >= halfLumenRadius(vessel) * (1 - 1e-9)) continue;
+    table.fail(i,
+               fmt::format("the sphere lies {:.6g} um further in than the outermost one (line {}) reaches, "
+                           "which is put at the lumen's surface; allowed are at most {:.6g} um, a quarter of "
+                           "vessel.lumenDiameter",
+                           (reach(outermost) - radiusOf(spheres.position(i))) / um, table.lines[outermost],
+                           halfLumenRadius(vessel) / um));
+  }
+  return {std::move(table.agents), outwards};
+}
+
+}  // namespace restenosis

@@ -1,0 +1,176 @@
+#include "WallTable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "Cylindrical.h"
+#include "TableBounds.h"
+
+namespace restenosis {
+namespace {
+
+constexpr double um = 1e-6;
+
+// Assumed, all of them: beyond what a run can make of a wall, well within what a mistaken unit does.
+constexpr double radiusRatio = 10;         // either way, to the vessel's cell radius
+constexpr double leastShareOfOuter = 0.5;  // reached by the outermost agent
+constexpr double longestGap = 0.25;        // without agents, of the vessel's length
+constexpr int sectors = 8;                 // about the axis, none of them empty
+constexpr double samePlace = 1e-6;         // distance of two agents over the sum of their radii
+
+class WallTableCheck {
+ public:
+  WallTableCheck(const AgentTable& table, const VesselParameters& vessel, const StentParameters* stent)
+      : table_(table), agents_(table.agents), vessel_(vessel), stent_(stent) {}
+
+  void check() const {
+    for (Index i = 0; i < agents_.size(); ++i) checkAgent(i);
+    checkOutermost();
+    if (stent_ || hasLamina()) {
+      checkSectors();
+      checkGaps();
+    }
+    checkPlaces();
+  }
+
+ private:
+  double reach(Index i) const { return radiusOf(agents_.position(i)) + agents_.radius[i]; }
+
+  bool hasLamina() const {
+    return std::ranges::any_of(
+        agents_.kind, [](AgentKind kind) { return kind == AgentKind::iel || kind == AgentKind::eel; });
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw AgentTableError(fmt::format("{}: {}", table_.file.string(), message));
+  }
+
+  void checkAgent(Index i) const {
+    const double radius = agents_.radius[i], z = agents_.z[i], distance = radiusOf(agents_.position(i));
+    if (radius < vessel_.cellRadius / radiusRatio || radius > vessel_.cellRadius * radiusRatio) {
+      table_.fail(i, fmt::format("a radius of {:.6g} um; allowed are {:.6g} to {:.6g} um, a tenth to ten "
+                                 "times vessel.cellRadius. Lengths of a table are in um",
+                                 radius / um, vessel_.cellRadius / radiusRatio / um,
+                                 vessel_.cellRadius * radiusRatio / um));
+    }
+    if (z < -radius || z > vessel_.length + radius) {
+      table_.fail(i,
+                  fmt::format("the agent at z = {:.6g} um lies outside the vessel; allowed are 0 to {:.6g} "
+                              "um (vessel.length), and a radius beyond",
+                              z / um, vessel_.length / um));
+    }
+    const double farthest = tableBounds::farthest(vessel_);
+    if (distance - radius > farthest) {
+      table_.fail(
+          i, fmt::format("the agent lies {:.6g} um from the axis (x = y = 0); allowed are at most {:.6g} um, "
+                         "1.5 times the outer radius of the wall in [vessel], and a radius beyond",
+                         distance / um, farthest / um));
+    }
+    if (stent_ && agents_.kind[i] == AgentKind::strut) {
+      table_.fail(i,
+                  "a strut in the wall of a scene with [stent], which brings its own struts; take the row "
+                  "out of the table, or [stent] out of the scene");
+    }
+  }
+
+  void checkOutermost() const {
+    Index outermost = 0;
+    for (Index i = 1; i < agents_.size(); ++i) {
+      if (reach(i) > reach(outermost)) outermost = i;
+    }
+    const double least = leastShareOfOuter * tableBounds::outerRadius(vessel_);
+    if (reach(outermost) >= least) return;
+    table_.fail(outermost,
+                fmt::format("the outermost agent reaches {:.6g} um from the axis, but the wall in [vessel] "
+                            "has an outer radius of {:.6g} um (lumenDiameter / 2 + wallThickness); at least "
+                            "half of it must be reached",
+                            reach(outermost) / um, tableBounds::outerRadius(vessel_) / um));
+  }
+
+  void checkSectors() const {
+    std::array<double, sectors> outermost{};
+    for (Index i = 0; i < agents_.size(); ++i) {
+      const double share = toCylindrical(agents_.position(i)).angle / (2 * std::numbers::pi);  // -0.5 to 0.5
+      auto& sector =
+          outermost[std::min(static_cast<int>((share < 0 ? share + 1 : share) * sectors), sectors - 1)];
+      sector = std::max(sector, reach(i));
+    }
+    for (int n = 0; n < sectors; ++n) {
+      const auto where = [n] {
+        return fmt::format("between {} and {} degrees about the axis (x = y = 0)", 360 * n / sectors,
+                           360 * (n + 1) / sectors);
+      };
+      if (outermost[n] == 0) {
+        fail(fmt::format("no agent stands {}; a wall with laminae or a stent must surround the axis",
+                         where()));
+      }
+      if (!stent_) continue;
+      const double deployed = vessel_.lumenDiameter / 2 + stent_->deploymentDepth;
+      if (outermost[n] >= deployed) continue;
+      fail(
+          fmt::format("{} the wall reaches {:.6g} um, but the stent {:.6g} um (vessel.lumenDiameter / 2 + "
+                      "stent.deploymentDepth), so that it would stand outside of the wall",
+                      where(), outermost[n] / um, deployed / um));
+    }
+  }
+
+  void checkGaps() const {
+    std::vector<double> along = agents_.z;
+    along.push_back(0);
+    along.push_back(vessel_.length);
+    std::ranges::sort(along);
+    for (std::size_t n = 1; n < along.size(); ++n) {
+      if (along[n] - along[n - 1] <= longestGap * vessel_.length) continue;
+      fail(fmt::format(
+          "no agent stands between z = {:.6g} and {:.6g} um; a wall with laminae or a stent must "
+          "fill the vessel, of {:.6g} um (vessel.length), with no gap longer than a quarter of it",
+          along[n - 1] / um, along[n] / um, vessel_.length / um));
+    }
+  }
+
+  /// Bonds of no length have no strain, and forces between agents at one place no direction.
+  void checkPlaces() const {
+    // Along a direction in which no regular arrangement has layers, so that few agents are near each other.
+    const Vec3 along = Vec3(0.5126, 0.6137, 0.6005).normalized();
+    std::vector<double> place(agents_.size());
+    for (Index i = 0; i < agents_.size(); ++i) place[i] = along.dot(agents_.position(i));
+    std::vector<Index> order(agents_.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, {}, [&place](Index i) { return std::pair(place[i], i); });
+    const double reachAhead = 2 * samePlace * std::ranges::max(agents_.radius);
+    std::optional<std::pair<Index, Index>> found;  // later and earlier of the first two
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      for (std::size_t m = n + 1; m < order.size() && place[order[m]] - place[order[n]] <= reachAhead; ++m) {
+        const auto [earlier, later] = std::minmax(order[n], order[m]);
+        const double apart = (agents_.position(earlier) - agents_.position(later)).norm();
+        if (apart > samePlace * (agents_.radius[earlier] + agents_.radius[later])) continue;
+        if (!found || std::pair(later, earlier) < *found) found = {later, earlier};
+      }
+    }
+    if (!found) return;
+    table_.fail(found->first, fmt::format("the agent is at the place of the one in line {}; no two may be "
+                                          "nearer than a millionth of their radii",
+                                          table_.lines[found->second]));
+  }
+
+  const AgentTable& table_;
+  const AgentStore& agents_;
+  const VesselParameters& vessel_;
+  const StentParameters* stent_;
+};
+
+}  // namespace
+
+AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* stent) {
+  AgentTable table = readAgentTable(vessel.agents, AgentKind::smc);
+  WallTableCheck(table, vessel, stent).check();
+  return std::move(table.agents);
+}
+
+}  // namespace restenosis

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "AgentTable.h"
+#include "StentParameters.h"
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+/// Reads the wall that `vessel.agents` names, for a scene with this stent (null: none). It may be deformed,
+/// and may be a few cells only, but it must fit the vessel (model 2, loaded walls): radii like
+/// `vessel.cellRadius`, centres along its length and about its axis, no two at the same place. A wall with
+/// laminae or a stent surrounds the axis, without long gaps. Beside a stent it holds no struts and encloses
+/// the place that the stent is pressed to. Throws AgentTableError, with the line of the first agent that does
+/// not fit.
+AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* stent);
+
+}  // namespace restenosis
