@@ -75,7 +75,8 @@ std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std
                                                           .stopRequested = options.stopRequested});
     SolvedFlow flow;
     try {
-      flow = solveForComparison(*backend, lumen.surface, {}, conditions, folder / "flow" / withoutSpaces(name));
+      flow =
+          solveForComparison(*backend, lumen.surface, {}, conditions, folder / "flow" / withoutSpaces(name));
     } catch (const FlowFailed& error) {
       if (options.stopRequested && *options.stopRequested) throw Interrupted();
       if (!exact && !reference) throw;

@@ -34,9 +34,9 @@ struct Summary {
 
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, stateDigest, final (the
 /// columns of timeSeries.csv; null where unknown), flow (solves done, skipped, and skipped by reason; meshes
-/// moved, and made anew by reason), relaxation (iterations during growth, forces computed, and how many it
-/// would be were no agent ever asleep), poiseuille (errors, null where the exact stress is not known), parts
-/// (seconds and peak memory), totalSeconds, remarks. Throws WriteFailed.
+/// moved, and made anew by reason), relaxation (iterations during growth, and forces computed), poiseuille
+/// (errors, null where the exact stress is not known), parts (seconds and peak memory), totalSeconds,
+/// remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -9,6 +9,7 @@ import style
 COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
 MARKERS = "osD^vP*"
 SEEDS = "scene.seed"
+WIDE = 5  # a span of more than this factor has a logarithmic axis
 
 
 def read(folder):
@@ -54,12 +55,16 @@ def draw_panel(axis, rows, title, seeds):
     if seeds:
         axis.axhspan(0, max(seeds), color=style.LIGHT, alpha=0.6, zorder=0, label="within it: as other seeds differ")
     costs = [row["seconds"] for row in rows if row["error"] > 0]
-    if max(costs) > 3 * min(costs):
-        axis.set_xscale("log")
-    axis.set_yscale("log")
+    errors = [row["error"] for row in rows if row["error"] > 0]
     axis.margins(x=0.15, y=0.15)
+    if max(costs) > WIDE * min(costs):
+        axis.set_xscale("log")
+    if max(errors) > WIDE * min(errors):
+        axis.set_yscale("log")
+    else:
+        axis.set_ylim(bottom=0)
     axis.set(title=title, xlabel="seconds", ylabel="error [%]")
-    axis.legend()
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2)
 
 
 def draw(folder, path):

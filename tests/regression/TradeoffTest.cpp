@@ -1,0 +1,97 @@
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+class Tradeoff : public WholeProgram {
+ protected:
+  std::vector<std::string> lines(const std::string& file) const {
+    std::vector<std::string> all;
+    std::istringstream stream(readText(folder.path() / file));
+    for (std::string line; std::getline(stream, line);) all.push_back(line);
+    return all;
+  }
+  /// The n-th field of a line.
+  static std::string field(const std::string& line, int n) {
+    std::istringstream fields(line);
+    std::string text;
+    for (int k = 0; k <= n; ++k) std::getline(fields, text, ',');
+    return text;
+  }
+};
+
+const std::string smallVessel = R"([scene]
+duration = "1 d"
+fidelity = "draft"
+[vessel]
+length = "0.3 mm"
+lumenDiameter = "0.6 mm"
+wallThickness = "0.1 mm"
+[mechanics]
+[injury]
+removeIel = true
+synthetic = "all"
+[cellCycle]
+[contactInhibition]
+)";
+
+TEST_F(Tradeoff, RunsWhatIsAskedForOnceAndGoesOn) {
+  const std::string small = scene("small", smallVessel);
+  const std::vector<std::string> command = {
+      "tradeoff", small, "-o", "out", "--vary", "mechanics.tolerance=0.02,0.04", "--vary", "scene.seed=1,2"};
+  ASSERT_EXIT_STATUS(run(command), 0);
+  const auto first = lines("out/tradeoff.csv");
+  ASSERT_EQ(first.size(), 5u);
+  EXPECT_EQ(first[0], "setting,value,seconds,error,meaning");
+  EXPECT_TRUE(first[1].starts_with("mechanics.tolerance,0.02,")) << first[1];
+  EXPECT_TRUE(first[1].ends_with(",0,neointima thickness on day 1 against mechanics.tolerance = 0.02"))
+      << first[1];
+  EXPECT_TRUE(first[4].starts_with("scene.seed,2,")) << first[4];
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/runs/scene.seed=2/summary.json"));
+  // The scene as it is was run already, with its own tolerance
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/runs/scene.seed=1"));
+
+  std::filesystem::remove_all(folder / "out/runs/mechanics.tolerance=0.02");
+  const auto kept = std::filesystem::last_write_time(folder / "out/runs/scene.seed=2/summary.json");
+  ASSERT_EXIT_STATUS(run(command), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/runs/mechanics.tolerance=0.02/summary.json"));
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "out/runs/scene.seed=2/summary.json"), kept);
+}
+
+TEST_F(Tradeoff, MeasuresTheFlowAgainstWhatIsKnown) {
+  const std::string tube = scene("tube", R"([scene]
+duration = "1 h"
+[vessel]
+length = "0.6 mm"
+lumenDiameter = "0.6 mm"
+[flow]
+[foam]
+cellSize = "60 um"
+wallLevel = 1
+[lbm]
+dx = "40 um"
+[output]
+pictures = false
+)");
+  ASSERT_EXIT_STATUS(run({"tradeoff", tube, "-o", "out"}), 0);
+  const auto rows = lines("out/tradeoff.csv");
+  ASSERT_EQ(rows.size(), 8u) << "three fidelities of two backends, and Poiseuille's law";
+  for (std::size_t n = 1; n < rows.size(); ++n) {
+    EXPECT_TRUE(rows[n].ends_with("wall shear stress (L2) against Poiseuille's law")) << rows[n];
+    EXPECT_GT(std::stod(field(rows[n], 2)), 0) << rows[n];
+    EXPECT_LT(std::stod(field(rows[n], 3)), 0.1) << rows[n];
+  }
+}
+
+TEST_F(Tradeoff, RefusesWhatIsNoSweepBeforeAnythingIsWritten) {
+  const std::string small = scene("small", smallVessel);
+  for (const char* vary : {"scene.seed", "scene.seed=1", "scene.sed=1,2", "mechanics.tolerance=0.1,-1"}) {
+    const ProcessEnd end = run({"tradeoff", small, "-o", "out", "--vary", vary});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find(std::string(vary).substr(0, 7)), std::string::npos) << end.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace restenosis
