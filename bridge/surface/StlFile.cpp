@@ -5,9 +5,10 @@
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,8 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+
+#include "StlTriangles.h"
 
 namespace restenosis {
 namespace {
@@ -33,17 +36,51 @@ void save(const std::filesystem::path& file, const std::string& content) {
 
 /// Distance below which vertices are one, over the diagonal of the surface's box.
 constexpr double mergedWithin = 1e-6;
+/// Distance from the middle of a surface, over that of half of its vertices, beyond which a vertex is astray
+/// (assumed).
+constexpr double farthest = 1e3;
 
-vtkPolyData& readPolygons(vtkSTLReader& reader, const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw std::runtime_error(fmt::format("{} is not a file", file.string()));
-  reader.SetFileName(file.string().c_str());
-  reader.GlobalWarningDisplayOff();
-  reader.Update();
-  vtkPolyData* mesh = reader.GetOutput();
-  if (!mesh || mesh->GetNumberOfPolys() == 0)
-    throw std::runtime_error(fmt::format("{} holds no triangles: it must be an STL file", file.string()));
-  return *mesh;
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A vertex far from all others would make them one.
+void refuseStrayVertex(const StlTriangles& triangles, const std::filesystem::path& file) {
+  std::array<std::vector<double>, 3> coordinates;
+  for (const auto& corners : triangles.corners)
+    for (std::size_t k = 0; k < corners.size(); ++k) coordinates[k % 3].push_back(corners[k]);
+  const Vec3 middle(medianOf(coordinates[0]), medianOf(coordinates[1]), medianOf(coordinates[2]));
+  std::vector<double> distances;
+  for (std::size_t v = 0; v < coordinates[0].size(); ++v)
+    distances.push_back((Vec3(coordinates[0][v], coordinates[1][v], coordinates[2][v]) - middle).norm());
+  const double usual = medianOf(distances);
+  const auto stray = std::max_element(distances.begin(), distances.end());
+  if (usual == 0.0 || *stray <= farthest * usual) return;
+  const auto v = static_cast<std::size_t>(stray - distances.begin());
+  throw std::runtime_error(fmt::format(
+      "{} has a vertex far from all others: ({:g}, {:g}, {:g}) in triangle {} of {}", file.string(),
+      coordinates[0][v], coordinates[1][v], coordinates[2][v], v / 3 + 1, triangles.corners.size()));
+}
+
+/// The triangles with their solids as cell data; every vertex appears once a triangle.
+vtkNew<vtkPolyData> polygonsOf(const StlTriangles& triangles) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdTypeArray> solids;
+  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+    std::array<vtkIdType, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = points->InsertNextPoint(triangles.corners[t].data() + 3 * k);
+    polygons->InsertNextCell(3, corners.data());
+    solids->InsertNextValue(triangles.solid[t]);
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(polygons);
+  mesh->GetCellData()->SetScalars(solids);
+  return mesh;
 }
 
 TriSurface surfaceOf(vtkPolyData& mesh, double metresPerUnit) {
@@ -64,27 +101,23 @@ TriSurface surfaceOf(vtkPolyData& mesh, double metresPerUnit) {
   return s;
 }
 
-/// Binary files may begin with "solid" too; they are known by their size.
-bool isBinary(const std::filesystem::path& file) {
-  std::array<char, 84> head{};
-  std::uint32_t count = 0;
-  if (!std::ifstream(file, std::ios::binary).read(head.data(), head.size())) return false;
-  std::memcpy(&count, head.data() + 80, sizeof(count));
-  return std::filesystem::file_size(file) == 84 + 50 * std::uintmax_t{count};
-}
-
-/// The names behind the words "solid" of an ASCII file, in order.
-std::vector<std::string> solidNames(const std::filesystem::path& file) {
-  std::vector<std::string> names;
-  if (isBinary(file)) return names;
-  std::ifstream stream(file, std::ios::binary);
-  for (std::string line; std::getline(stream, line);) {
-    const auto start = line.find_first_not_of(" \t");
-    if (start == std::string::npos || line.compare(start, 5, "solid") != 0) continue;
-    const auto name = line.find_first_not_of(" \t", start + 5), end = line.find_last_not_of(" \t\r");
-    names.push_back(name == std::string::npos || name > end ? "" : line.substr(name, end - name + 1));
-  }
-  return names;
+/// Makes vertices within a distance, over the diagonal of the surface's box, one.
+StlSolids weld(const StlTriangles& triangles, double within, double metresPerUnit) {
+  const vtkNew<vtkPolyData> soup = polygonsOf(triangles);
+  vtkNew<vtkCleanPolyData> welded;
+  welded->SetInputData(soup);
+  welded->SetTolerance(within);
+  welded->Update();
+  vtkPolyData& mesh = *welded->GetOutput();
+  StlSolids result;
+  result.surface = surfaceOf(mesh, metresPerUnit);
+  result.names = triangles.names;
+  // Cells that lost their area come before the triangles
+  const vtkIdType before = mesh.GetNumberOfCells() - mesh.GetNumberOfPolys();
+  vtkDataArray& solids = *mesh.GetCellData()->GetScalars();
+  for (vtkIdType c = 0; c < mesh.GetNumberOfPolys(); ++c)
+    result.solid.push_back(static_cast<std::uint32_t>(solids.GetTuple1(before + c)));
+  return result;
 }
 
 }  // namespace
@@ -138,37 +171,15 @@ void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface,
 }
 
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit) {
-  vtkNew<vtkSTLReader> reader;
-  reader->MergingOn();
-  return surfaceOf(readPolygons(*reader, file), metresPerUnit);
+  return weld(readStlTriangles(file), 0.0, metresPerUnit).surface;
 }
 
 StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit) {
-  vtkNew<vtkSTLReader> reader;
-  reader->MergingOff();  // vertices that are no numbers must be found before they are sorted by place
-  reader->ScalarTagsOn();
-  vtkPolyData& soup = readPolygons(*reader, file);
-  for (vtkIdType v = 0; v < soup.GetNumberOfPoints(); ++v) {
-    const double* p = soup.GetPoint(v);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      throw std::runtime_error(
-          fmt::format("{} has a vertex that is not a finite number, in triangle {}", file.string(), v / 3));
-  }
-  vtkNew<vtkCleanPolyData> welded;
-  welded->SetInputData(&soup);
-  welded->SetTolerance(mergedWithin);
-  welded->Update();
-  vtkPolyData& mesh = *welded->GetOutput();
-  StlSolids result;
-  result.surface = surfaceOf(mesh, metresPerUnit);
-  result.names = solidNames(file);
-  // Cells that lost their area come before the triangles
-  const vtkIdType before = mesh.GetNumberOfCells() - mesh.GetNumberOfPolys();
-  vtkDataArray* label = mesh.GetCellData()->GetScalars();
-  for (vtkIdType c = 0; c < mesh.GetNumberOfPolys(); ++c)
-    result.solid.push_back(label ? static_cast<std::uint32_t>(label->GetTuple1(before + c)) : 0);
-  const auto last = std::max_element(result.solid.begin(), result.solid.end());
-  if (last != result.solid.end()) result.names.resize(std::max<std::size_t>(result.names.size(), *last + 1));
+  const StlTriangles triangles = readStlTriangles(file);
+  refuseStrayVertex(triangles, file);
+  StlSolids result = weld(triangles, mergedWithin, metresPerUnit);
+  if (result.surface.triangles.empty())
+    throw std::runtime_error(fmt::format("{} holds no triangles that have an area", file.string()));
   return result;
 }
 

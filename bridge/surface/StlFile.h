@@ -21,7 +21,7 @@ void writeStl(const std::filesystem::path& file, const TriSurface& surface, doub
 void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit);
 
 /// Reads an STL file, binary or ASCII, and merges equal vertices. All triangles become `wall`: see
-/// `markEnds`. Throws std::runtime_error if the file is missing, no STL, or empty.
+/// `markEnds`. Throws std::runtime_error like `readStlTriangles`.
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit);
 
 /// Triangles as a file has them, and the solid that each belongs to.
@@ -33,7 +33,8 @@ struct StlSolids {
 
 /// Reads an STL file with its solids. Vertices closer than 1e-6 of the surface's extent (assumed: what seven
 /// digits leave) become one, and triangles that vanish by it are left out. Throws std::runtime_error like
-/// readStl, and where a vertex is not finite.
+/// `readStlTriangles`, where a vertex is 1000 times as far from the middle as half of the others (assumed),
+/// and where no triangle is left.
 StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit);
 
 /// Makes the triangles that lie in the planes z = 0 and z = `length` [m] inlet and outlet, and puts them

@@ -15,6 +15,10 @@ constexpr double degree = std::numbers::pi / 180;
 /// reach (assumed; STL files keep seven digits).
 constexpr double capAngle = 2 * degree, capDeparture = 1e-4;
 constexpr double rimAngle = 30 * degree;
+/// Part of a rim's length along which a hole's surface goes on in its plane.
+constexpr double flushPart = 0.1;
+/// Area of a hole without width, a crack, over that of the circle of its length.
+constexpr double crackArea = 1e-3;
 
 struct Side {
   std::uint64_t edge;
@@ -98,23 +102,58 @@ SurfaceEdges surfaceEdges(const TriSurface& surface) {
 }
 
 std::vector<std::vector<std::uint32_t>> openRims(const std::vector<OpenEdge>& open) {
-  std::map<std::uint32_t, std::uint32_t> next;
-  for (const auto& [from, to] : open)
-    if (!next.emplace(from, to).second) throw std::runtime_error("its open rims touch each other");
+  std::multimap<std::uint32_t, std::uint32_t> next;
+  for (const auto& [from, to] : open) next.emplace(from, to);
   std::vector<std::vector<std::uint32_t>> rims;
   while (!next.empty()) {
-    std::vector<std::uint32_t> rim{next.begin()->first};
-    for (;;) {
-      const auto edge = next.find(rim.back());
+    std::vector<std::uint32_t> chain{next.begin()->first};
+    std::map<std::uint32_t, std::size_t> place{{chain.front(), 0}};
+    do {
+      const auto edge = next.find(chain.back());
       if (edge == next.end()) throw std::runtime_error("an open rim does not close");
       const std::uint32_t to = edge->second;
       next.erase(edge);
-      if (to == rim.front()) break;
-      rim.push_back(to);
-    }
-    rims.push_back(std::move(rim));
+      if (const auto met = place.find(to); met != place.end()) {
+        const auto first = chain.begin() + static_cast<std::ptrdiff_t>(met->second);
+        rims.emplace_back(first, chain.end());
+        for (auto v = first + 1; v != chain.end(); ++v) place.erase(*v);
+        chain.erase(first + 1, chain.end());
+      } else {
+        place.emplace(to, chain.size());
+        chain.push_back(to);
+      }
+    } while (chain.size() > 1);
   }
   return rims;
+}
+
+std::vector<bool> holesAmong(const TriSurface& surface, const SurfaceEdges& edges,
+                             const std::vector<std::vector<std::uint32_t>>& rims) {
+  std::map<OpenEdge, std::uint32_t> beside;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (edges.beyond[t][k] == SurfaceEdges::none)
+        beside.emplace(OpenEdge{surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]}, t);
+  std::vector<bool> holes;
+  for (const auto& rim : rims) {
+    const auto edgeFrom = [&](std::size_t k) { return OpenEdge{rim[k], rim[(k + 1) % rim.size()]}; };
+    Vec3 areaVector = Vec3::Zero();  // of a cap that is oriented as the surface
+    double length = 0.0, flush = 0.0;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const Vec3 a = surface.vertices[edgeFrom(k)[0]] - surface.vertices[rim[0]],
+                 b = surface.vertices[edgeFrom(k)[1]] - surface.vertices[rim[0]];
+      areaVector += 0.5 * b.cross(a);
+      length += (b - a).norm();
+    }
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const Vec3 other = surface.areaVector(beside.at(edgeFrom(k)));
+      if (other.dot(areaVector) > std::cos(rimAngle) * other.norm() * areaVector.norm())
+        flush += (surface.vertices[edgeFrom(k)[1]] - surface.vertices[edgeFrom(k)[0]]).norm();
+    }
+    const double circle = length * length / (4.0 * std::numbers::pi);
+    holes.push_back(flush > flushPart * length || areaVector.norm() < crackArea * circle);
+  }
+  return holes;
 }
 
 FittedPlane fitPlane(const TriSurface& surface, const std::vector<std::uint32_t>& vertices) {

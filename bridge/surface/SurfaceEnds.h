@@ -21,9 +21,17 @@ struct SurfaceEdges {
 };
 SurfaceEdges surfaceEdges(const TriSurface& surface);
 
-/// Chains of open edges that close, each as its vertices in order. Throws std::runtime_error where they do
-/// not.
+/// Chains of open edges that close, each as its vertices in order, none of them twice: rims that touch are
+/// told apart. Throws std::runtime_error where a chain does not close.
 std::vector<std::vector<std::uint32_t>> openRims(const std::vector<OpenEdge>& open);
+
+/// Whether each open rim is a hole in a surface whose triangles are oriented alike, and not an end of it: the
+/// surface goes on beside it in its plane. Over more than a tenth of a hole's length the surface turns by
+/// less than the 30 degrees of a cap's rim, if the rim is closed by a flat cap; or the rim has no width. An
+/// end's wall may be tapered by up to 60 degrees to its axis (all assumed). Size does not matter: what is a
+/// small rim in a wide vessel is an end of a narrow one.
+std::vector<bool> holesAmong(const TriSurface& surface, const SurfaceEdges& edges,
+                             const std::vector<std::vector<std::uint32_t>>& rims);
 
 /// A plane through vertices, and how well they keep to it.
 struct FittedPlane {

@@ -48,7 +48,25 @@ TEST_F(WrongLumen, Hole) {
   TriSurface hole = good;
   hole.triangles.erase(hole.triangles.begin() + 600), hole.region.pop_back();
   write(hole);
-  expectRefused(loadedScene, {"loaded.toml:6: ", "two planar ends", "3 were found (1 of them open)"});
+  expectRefused(loadedScene, {"loaded.toml:6: ", "it has a hole of 3 edges"});
+}
+
+TEST_F(WrongLumen, HoleInACap) {
+  TriSurface hole = good;
+  hole.triangles.pop_back(), hole.region.pop_back();
+  write(hole);
+  expectRefused(loadedScene, {"loaded.toml:6: ", "it has a hole of 3 edges", "in an end cap of 1.8 mm"});
+}
+
+TEST_F(WrongLumen, CutOff) {
+  write(good);
+  const std::string whole = readText(folder / "lumen.stl");
+  writeText(folder / "lumen.stl", whole.substr(0, whole.size() - 30));
+  expectRefused(loadedScene, {"loaded.toml:6: ", "lumen.stl is cut off"});
+  writeNamedStl(folder / "lumen.stl", good, 1e-3);
+  const std::string text = readText(folder / "lumen.stl");
+  writeText(folder / "lumen.stl", text.substr(0, text.rfind("vertex")));
+  expectRefused(loadedScene, {"loaded.toml:6: ", "lumen.stl:", "the file is cut off"});
 }
 
 TEST_F(WrongLumen, OneEndOnly) {

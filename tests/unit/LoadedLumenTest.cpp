@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "Constants.h"
@@ -35,6 +37,13 @@ class LoadedLumen : public ::testing::Test {
     } catch (const std::runtime_error& error) {
       return error.what();
     }
+  }
+  /// What is said about a tube some of whose triangles are missing.
+  std::string refusalWithout(TriSurface surface, const std::vector<std::size_t>& triangles) const {
+    for (auto t = triangles.rbegin(); t != triangles.rend(); ++t)
+      surface.triangles.erase(surface.triangles.begin() + static_cast<std::ptrdiff_t>(*t));
+    surface.region.resize(surface.triangles.size());
+    return refusal(surface);
   }
   void expectEnds(const TriSurface& lumen, const Vec3& inlet, const Vec3& outlet) const {
     EXPECT_NO_THROW(requireLumenWithPlanarEnds(lumen));
@@ -101,11 +110,59 @@ TEST_F(LoadedLumen, NamesOfSolidsDecide) {
             std::ranges::count(named.region, SurfaceRegion::strut));
 }
 
+constexpr std::size_t firstCapTriangle = 2 * 12 * 128;  ///< of `tube`: inlet and outlet in turn
+
+TEST_F(LoadedLumen, HolesInACapAreNoEnds) {
+  const TriSurface good = tube(vesselRadius, 2e-3);
+  const std::string one = refusalWithout(good, {firstCapTriangle});
+  EXPECT_SAYS(one,
+              "it has a hole of 3 edges, 0.159 mm wide, around (0.6, 0.015, 0) mm in an end cap of 1.8 mm");
+  EXPECT_SAYS(one, "close the hole, or remove the whole cap");
+  EXPECT_SAYS(refusalWithout(good, {firstCapTriangle, firstCapTriangle + 2}), "it has a hole of 4 edges");
+  EXPECT_SAYS(refusalWithout(good, {firstCapTriangle, firstCapTriangle + 8}),  // they meet in the middle
+              "it has 2 holes: one of 3 edges, 0.159 mm wide, around (0.6, 0.015, 0) mm in an end cap of 1.8 "
+              "mm, and one of 3 edges, ");
+  EXPECT_SAYS(refusalWithout(good, {firstCapTriangle, firstCapTriangle + 1}), "it has 2 holes");
+  std::vector<std::size_t> allButOne;
+  for (std::size_t t = firstCapTriangle; t < good.triangles.size() - 2; t += 2) allButOne.push_back(t);
+  EXPECT_SAYS(refusalWithout(good, allButOne), "it has a hole of 129 edges, 1.79 mm wide");
+  const auto motion = motionTo(Vec3(1, 2, 3), far);
+  EXPECT_SAYS(refusalWithout(moved(good, motion), {firstCapTriangle}), "in an end cap of 1.8 mm");
+}
+
+TEST_F(LoadedLumen, AHoleBesideAnOpenEndIsNoEnd) {
+  TriSurface holed = tube(vesselRadius, 2e-3);
+  std::erase_if(holed.triangles, [&](const auto& t) { return t[0] == holed.vertices.size() - 2; });
+  holed.region.resize(holed.triangles.size());
+  EXPECT_EQ(refusal(holed), "accepted");  // without its inlet's cap
+  EXPECT_SAYS(refusalWithout(holed, {holed.triangles.size() - 1}), "it has a hole of 3 edges");
+}
+
+TEST_F(LoadedLumen, HolesInTheWallAreNoEnds) {
+  const TriSurface good = tube(vesselRadius, 2e-3);
+  EXPECT_SAYS(refusalWithout(good, {600}), "it has a hole of 3 edges, 0.0685 mm wide, around");
+  EXPECT_EQ(refusalWithout(good, {600}).find("cap"), std::string::npos);
+  TriSurface blind = revolve({{vesselRadius, 0}, {vesselRadius, 2e-3}, {0.1e-3, 4e-3}}, 32);
+  blind.vertices.back().z() += 0.3e-3;  // the outlet is a tip: a hole would be the second end
+  EXPECT_SAYS(refusalWithout(blind, {3}), "it has a hole of 3 edges");
+}
+
+TEST_F(LoadedLumen, OpenEndsMayBeNarrowAndTapered) {
+  const SurfaceRegion wall[] = {SurfaceRegion::wall};
+  const double narrow = 0.15 * vesselRadius;
+  const TriSurface lumen = load(
+      revolve({{narrow, 0}, {vesselRadius, 0.6 * vesselRadius}, {vesselRadius, 2e-3}, {narrow, 3e-3}}), wall);
+  EXPECT_NEAR(endDiameter(lumen, SurfaceRegion::inlet), 2 * narrow, 1e-8);
+  EXPECT_NEAR(endDiameter(lumen, SurfaceRegion::outlet), 2 * narrow, 1e-8);
+  const TriSurface stenosed =
+      load(revolve({{vesselRadius, 0}, {narrow, 1e-3}, {narrow, 1.01e-3}, {vesselRadius, 2e-3}}), wall);
+  EXPECT_NEAR(endDiameter(stenosed, SurfaceRegion::inlet), 2 * vesselRadius, 1e-8);
+}
+
 TEST_F(LoadedLumen, WhatIsWrongIsSaid) {
   const TriSurface good = tube(vesselRadius, 2e-3);
-  TriSurface hole = good;
-  hole.triangles.erase(hole.triangles.begin() + 600), hole.region.pop_back();
-  EXPECT_SAYS(refusal(hole), "but 3 were found (1 of them open)");
+  EXPECT_SAYS(refusal(revolve({{vesselRadius, 0}, {vesselRadius, 2e-3}}, 6)),
+              "but 8 were found (0 of them open)");  // a prism's sides are caps
 
   TriSurface ball = good;  // its outlet drawn out to a cone
   for (Vec3& v : ball.vertices)
@@ -133,6 +190,53 @@ TEST_F(LoadedLumen, WhatIsWrongIsSaid) {
   EXPECT_SAYS(refusal(two), "2 separate pieces");
 }
 
+TEST_F(LoadedLumen, NamesInCapitalsDecideToo) {
+  TriSurface named = tube(vesselRadius, 2e-3);
+  for (auto& r : named.region)
+    if (r != SurfaceRegion::wall)
+      r = r == SurfaceRegion::inlet ? SurfaceRegion::outlet : SurfaceRegion::inlet;
+  writeNamedStl(file, named, 1e-3);
+  std::string text = readText(file);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  writeText(file, text);
+  expectEnds(loadLumen(file, 1e-3), Vec3(0, 0, 2e-3), Vec3(0, 0, 0));
+}
+
+TEST_F(LoadedLumen, OneNameForBothEndsIsRefused) {
+  TriSurface named = tube(vesselRadius, 2e-3);
+  for (auto& r : named.region)
+    if (r == SurfaceRegion::outlet) r = SurfaceRegion::inlet;
+  writeNamedStl(file, named, 1e-3);
+  EXPECT_SAYS(refusalOfFile(),
+              "what is named inlet is 2 separate pieces, 1.8 mm wide around (0, 0, 0) mm and 1.8 mm around "
+              "(0, 0, 2) mm");
+}
+
+TEST_F(LoadedLumen, WhatEnclosesNothingIsFlat) {
+  TriSurface flat;
+  flat.vertices = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}, {1e-3, 1e-3, 0}};
+  flat.triangles = {{0, 1, 2}};
+  flat.region.resize(1);
+  EXPECT_SAYS(refusal(flat), "it encloses no lumen: it is flat, 1 triangle");
+  flat.triangles.push_back({1, 3, 2});
+  flat.region.resize(2);
+  EXPECT_SAYS(refusal(flat), "it encloses no lumen: it is flat, 2 triangles in one plane");
+  flat.triangles = {{0, 0, 0}};
+  flat.region.resize(1);
+  EXPECT_SAYS(refusal(flat), "holds no triangles that have an area");
+}
+
+TEST_F(LoadedLumen, AVertexFarFromAllOthersIsNamed) {
+  for (const double z : {3e35, 30.0}) {
+    TriSurface astray = tube(vesselRadius, 2e-3);
+    astray.vertices[5 * 128].z() = z;  // in triangle 1026 first
+    EXPECT_SAYS(refusal(astray),
+                z > 1e3 ? ", 0, 3e+38) in triangle 1026 of 3328" : ", 0, 30000) in triangle");
+    EXPECT_SAYS(refusalOfFile(), "has a vertex far from all others");
+  }
+}
+
 TEST_F(LoadedLumen, FilesThatAreNoSurfacesAreNamed) {
   EXPECT_SAYS(refusalOfFile(), "is not a file");
   writeText(file, "solid nothing\nendsolid nothing\n");
@@ -141,7 +245,8 @@ TEST_F(LoadedLumen, FilesThatAreNoSurfacesAreNamed) {
   broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_SAYS(refusal(broken), "not a finite number");
   writeNamedStl(file, broken, 1e-3);
-  EXPECT_NE(refusalOfFile(), "accepted");
+  EXPECT_SAYS(refusalOfFile(), "lumen.stl:");
+  EXPECT_SAYS(refusalOfFile(), "'nan' is not a finite number");
 }
 
 }  // namespace
