@@ -13,6 +13,7 @@ void addCheckCommand(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("check", "validate a scene and print the plan; runs nothing");
   auto arguments = std::make_shared<SceneArguments>();
   arguments->addTo(*command);
+  arguments->addFlowTo(*command);
   command->callback([arguments, &status] {
     const auto scene = arguments->read();
     if (scene) {

@@ -15,6 +15,7 @@
 #include "Figures.h"
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
+#include "FoamPath.h"
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneArguments.h"
@@ -85,6 +86,7 @@ ComparedLumen comparedLumen(const Scene& scene, const CompareArguments& argument
 
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
             std::optional<ComparedLumen> loaded) {
+  requireFoamPath(folder);
   createOutputFolder(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();
   const int threads = threadCount(arguments.threads);

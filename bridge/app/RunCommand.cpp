@@ -10,7 +10,9 @@
 #include "Checkpoint.h"
 #include "ExitStatus.h"
 #include "Figures.h"
-#include "FlowResolution.h"
+#include "FlowBackendNames.h"
+#include "FlowForecast.h"
+#include "FoamPath.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -28,7 +30,6 @@ namespace {
 struct RunArguments {
   SceneArguments scene;
   std::string folder;
-  std::string flow;
   int threads = 0;
   int ranks = 1;
   bool resume = false;
@@ -89,9 +90,10 @@ std::string differencesFrom(const std::filesystem::path& path, const Scene& scen
 
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
+  if (scene.flow && scene.flow->backend == flowBackendNames::foam) requireFoamPath(path);
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
-  if (const auto problem = resolutionProblem(scene, Units()))
-    std::cerr << fmt::format("The flow, once it is due, will be refused: {}\n", problem->message);
+  for (const std::string& known : flowForecast(scene, arguments.ranks))
+    std::cerr << fmt::format("The flow, once it is due, {}\n", known);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{
       .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
@@ -111,9 +113,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
 }
 
 int tryRun(const RunArguments& arguments) {
-  SceneArguments sceneArguments = arguments.scene;
-  if (!arguments.flow.empty()) sceneArguments.overrides.push_back("flow.backend=" + arguments.flow);
-  const auto scene = sceneArguments.read();
+  const auto scene = arguments.scene.read();
   if (!scene) return ExitStatus::wrongInput;
   try {
     return runScene(*scene, arguments);
@@ -142,10 +142,9 @@ void addRunCommand(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("run", "run a scene");
   auto arguments = std::make_shared<RunArguments>();
   arguments->scene.addTo(*command);
+  arguments->scene.addFlowTo(*command);
   command->add_option("-o,--output", arguments->folder,
                       "folder for the results (default: results/<scene name>)");
-  command->add_option("--flow", arguments->flow,
-                      "flow backend instead of the scene's: foam, lbm, analytic or none");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(CLI::Range(1, mostThreads));
   command

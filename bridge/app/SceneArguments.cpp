@@ -17,10 +17,16 @@ void SceneArguments::addTo(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
+void SceneArguments::addFlowTo(CLI::App& command) {
+  command.add_option("--flow", flow, "flow backend instead of the scene's: foam, lbm, analytic or none");
+}
+
 std::optional<Scene> SceneArguments::read() const {
   try {
     const Units units;
-    return SceneReader(units).readFile(file, overrides);
+    std::vector<std::string> all = overrides;
+    if (!flow.empty()) all.push_back("flow.backend=" + flow);
+    return SceneReader(units).readFile(file, all);
   } catch (const SceneError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) std::cerr << toString(diagnostic) << '\n';
   }

@@ -13,8 +13,11 @@ namespace restenosis {
 struct SceneArguments {
   std::string file;
   std::vector<std::string> overrides;
+  std::string flow;  ///< backend instead of the scene's; empty: the scene's
 
   void addTo(CLI::App& command);
+  /// `--flow` too, the short way to another backend.
+  void addFlowTo(CLI::App& command);
   /// Reads the scene; prints what is wrong with it to standard error and returns nothing.
   std::optional<Scene> read() const;
 };

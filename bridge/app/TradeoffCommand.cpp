@@ -13,6 +13,7 @@
 #include "FlowBackend.h"
 #include "FlowBackendNames.h"
 #include "FlowTradeoff.h"
+#include "FoamPath.h"
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "RunTradeoff.h"
@@ -52,6 +53,7 @@ void nameFiles(const fs::path& folder) {
 
 int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path& folder,
           const std::vector<SweptSetting>& settings, const std::vector<std::vector<Scene>>& scenes) {
+  if (solvesFlow(scene)) requireFoamPath(folder);
   createOutputFolder(folder);
   const TradeoffOptions options{
       .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};

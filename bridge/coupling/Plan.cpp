@@ -7,7 +7,7 @@
 #include "AgentTable.h"
 #include "Biology.h"
 #include "FlowBackendNames.h"
-#include "FlowResolution.h"
+#include "FlowForecast.h"
 #include "Run.h"
 #include "SceneChecks.h"
 #include "Units.h"
@@ -25,19 +25,6 @@ struct CostEstimate {
   double deploySecondsPerStep = 3e-6;  ///< per agent
   double growSecondsPerStep = 1.5e-6;  ///< per agent
 };
-
-/// Why the flow is not solved at all, or empty.
-std::string noFlowBecause(const Scene& scene) {
-  if (!scene.flow) return "no [flow]";
-  if (scene.flow->backend == "none") return "flow.backend is \"none\"";
-  if (!scene.hasTissue()) return "";
-  if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
-  if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
-  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
-  if (onset > scene.scene.duration)
-    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / day);
-  return "";
-}
 
 bool nothingCanBeExposed(const Scene& scene) {
   const bool breached = scene.injury && (scene.injury->removeIel || scene.stent);
@@ -60,8 +47,12 @@ std::string flowSchedule(const Scene& scene) {
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
         "due";
-  if (const auto problem = resolutionProblem(scene, Units()))
-    text += fmt::format("; it will be refused: {}", problem->message);
+  return text;
+}
+
+std::string forecastText(const Scene& scene) {
+  std::string text;
+  for (const std::string& known : flowForecast(scene, 1)) text += "; it " + known;
   return text;
 }
 
@@ -115,7 +106,7 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
   add("lumen surface", true,
       noFlow.empty() ? "when the flow may be due, and at recorded steps" : "at recorded steps only");
   add("flow" + (noFlow.empty() ? " (" + scene.flow->backend + ")" : ""), noFlow.empty(),
-      noFlow.empty() ? flowSchedule(scene) : noFlow);
+      noFlow.empty() ? flowSchedule(scene) + forecastText(scene) : noFlow);
   if (noFlow.empty() && scene.flow->backend == flowBackendNames::foam && tissue)
     add("mesh", true,
         scene.coupling.remesh == "always"

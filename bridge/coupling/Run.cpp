@@ -9,6 +9,7 @@
 #include "EndotheliumPart.h"
 #include "ExposurePart.h"
 #include "FlowBackends.h"
+#include "FlowForecast.h"
 #include "FlowPart.h"
 #include "LumenFrame.h"
 #include "LumenPart.h"
@@ -166,6 +167,8 @@ void Run::startGrowth() {
       world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
     world_.changes.touch(Quantity::cellStates);
   }
+  if (const std::string turbulent = turbulenceForecast(scene_); !turbulent.empty())
+    world_.remarks.push_back(fmt::format("the flow {}", turbulent));
   buildSchedule();
   stage_ = Stage::growing;
   record_->begin();

@@ -48,6 +48,14 @@ void FlowParameters::describe(ParameterVisitor& p) {
                                            "lumen's inlet and behind its outlet"});
 }
 
+double FlowParameters::reynoldsNumber(double lumenDiameter) const {
+  const double radius = lumenDiameter / 2;
+  const double velocity = drive == "flowRate"
+                              ? meanVelocity
+                              : pressureGradient * radius * radius / (8 * density * kinematicViscosity);
+  return velocity * lumenDiameter / kinematicViscosity;
+}
+
 FlowConditions FlowParameters::conditions(double lumenDiameter) const {
   return {.drive =
               drive == "flowRate" ? FlowConditions::Drive::flowRate : FlowConditions::Drive::pressureGradient,

@@ -25,6 +25,8 @@ struct FlowParameters {
   /// The conditions a backend solves for; the flow rate is the mean velocity times the undeformed lumen's
   /// area.
   FlowConditions conditions(double lumenDiameter) const;
+  /// U D / nu in the undeformed lumen; at a fixed gradient with the mean velocity of Poiseuille's law.
+  double reynoldsNumber(double lumenDiameter) const;
 };
 
 }  // namespace restenosis

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "FoamLog.h"
+#include "FoamRequirements.h"
 #include "MeshMorph.h"
 #include "WallPatch.h"
 
@@ -44,12 +45,7 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
     const auto start = on == On::allRanks ? runFoamOnRanks : runFoam;
     exit = start(program, arguments, execution_, folder_, log(program));
   } catch (const ProgramMissing& missing) {
-    const bool mpi = missing.program != program;
-    throw FlowFailed(fmt::format("the {} program '{}' is not on the PATH; it is part of the Debian package "
-                                 "'{package}' (apt install {package})",
-                                 mpi ? "MPI" : "OpenFOAM", missing.program,
-                                 fmt::arg("package", mpi ? "openmpi-bin" : "openfoam")),
-                     {});
+    throw FlowFailed(missingProgramText(missing.program), {});
   } catch (const std::runtime_error& error) {
     throw FlowFailed(fmt::format("{}: {}", program, error.what()), log(program));
   }

@@ -58,6 +58,13 @@ void FoamSettings::describe(ParameterVisitor& p) {
                          .minimumAllowed = false,
                          .source = "assumed",
                          .description = "residual of U and p at which the solution counts as converged"});
+  p.quantity(pressureDrivenTolerance,
+             {.key = "pressureDrivenTolerance",
+              .minimum = 0,
+              .maximum = 1,
+              .minimumAllowed = false,
+              .source = "docs/results/flow.md",
+              .description = "the same at a fixed pressure gradient, where the flow rate settles last"});
   p.integer(iterations, {.key = "iterations",
                          .minimum = 1,
                          .source = "assumed",

@@ -14,19 +14,20 @@ struct FoamSettings {
       "Mesh and solver settings of the OpenFOAM backend; cell sizes, buffer and snapping not given are those "
       "of scene.fidelity";
 
-  double cellSize = 60e-6;                       ///< cell size in the core of the lumen [m]
-  std::int64_t wallLevel = 1;                    ///< the cell size at the wall is cellSize / 2^level
-  std::int64_t strutLevel = 2;                   ///< the same at struts
-  std::int64_t bufferCells = 2;                  ///< rows of cells between one level and the next
-  std::int64_t snapIterations = 5;               ///< of moving the mesh's wall onto the surface
-  double tolerance = 1e-3;                       ///< residual at which the solution counts as converged
-  std::int64_t iterations = 400;                 ///< most iterations at a fixed flow rate
-  std::int64_t pressureDrivenIterations = 4000;  ///< the same at a fixed pressure gradient
-  double relaxation = 0.8;                       ///< of U
-  double nonOrthogonal = 1.0;                    ///< share of the non-orthogonal correction of gradients
-  double volumeTolerance = 0.02;                 ///< mesh volume against the surface's volume
-  std::int64_t skewFaces = 10;                   ///< most faces of a skewness above 4
-  double skewness = 20;                          ///< largest skewness
+  double cellSize = 60e-6;                        ///< cell size in the core of the lumen [m]
+  std::int64_t wallLevel = 1;                     ///< the cell size at the wall is cellSize / 2^level
+  std::int64_t strutLevel = 2;                    ///< the same at struts
+  std::int64_t bufferCells = 2;                   ///< rows of cells between one level and the next
+  std::int64_t snapIterations = 5;                ///< of moving the mesh's wall onto the surface
+  double tolerance = 1e-3;                        ///< residual at which the solution counts as converged
+  double pressureDrivenTolerance = 1e-5;          ///< the same at a fixed pressure gradient
+  std::int64_t iterations = 400;                  ///< most iterations at a fixed flow rate
+  std::int64_t pressureDrivenIterations = 10000;  ///< the same at a fixed pressure gradient
+  double relaxation = 0.8;                        ///< of U
+  double nonOrthogonal = 1.0;                     ///< share of the non-orthogonal correction of gradients
+  double volumeTolerance = 0.02;                  ///< mesh volume against the surface's volume
+  std::int64_t skewFaces = 10;                    ///< most faces of a skewness above 4
+  double skewness = 20;                           ///< largest skewness
   double massTolerance = 1e-3;        ///< outflow against inflow, and inflow against the flow rate asked for
   bool warmStart = true;              ///< from the former flow, where there is one
   double morphMovement = 0.5;         ///< largest movement of the wall that a mesh may follow, in wall cells

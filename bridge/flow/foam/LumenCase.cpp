@@ -158,7 +158,7 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
                  std::to_string(robust ? 2 * settings.snapIterations : settings.snapIterations));
   const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
   parameters.set("iterations", std::to_string(robust ? 2 * iterations : iterations));
-  parameters.set("tolerance", settings.tolerance);
+  parameters.set("tolerance", fixedFlow ? settings.tolerance : settings.pressureDrivenTolerance);
   parameters.set("ranks", std::to_string(ranks));
   parameters.set("nonOrthogonal", robust ? robustNonOrthogonal : settings.nonOrthogonal);
   parameters.set("relaxation", robust ? 0.75 * settings.relaxation : settings.relaxation);

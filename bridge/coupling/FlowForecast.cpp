@@ -1,0 +1,58 @@
+#include "FlowForecast.h"
+
+#include <fmt/format.h>
+
+#include "Biology.h"
+#include "FlowBackendNames.h"
+#include "FlowResolution.h"
+#include "FoamRequirements.h"
+#include "Units.h"
+#include "World.h"
+
+namespace restenosis {
+namespace {
+
+// Beyond this Reynolds number the flow in a pipe is known to become turbulent (Reynolds 1883: 2000 to 2300).
+constexpr double largestLaminar = 2000;
+
+}  // namespace
+
+std::string noFlowBecause(const Scene& scene) {
+  if (!scene.flow) return "no [flow]";
+  if (scene.flow->backend == flowBackendNames::none) return "flow.backend is \"none\"";
+  if (!scene.hasTissue()) return "";
+  if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
+  if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
+  constexpr double day = 86400;
+  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
+  if (onset > scene.scene.duration)
+    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / day);
+  return "";
+}
+
+std::string turbulenceForecast(const Scene& scene) {
+  if (!noFlowBecause(scene).empty()) return "";
+  const double number = scene.flow->reynoldsNumber(scene.vessel.lumenDiameter);
+  if (number <= largestLaminar) return "";
+  return fmt::format(
+      "has the Reynolds number {:.4g}: beyond some {:g} the flow in a tube is turbulent, and it is computed "
+      "as a "
+      "steady laminar one; are velocity, viscosity and diameter right?",
+      number, largestLaminar);
+}
+
+std::vector<std::string> flowForecast(const Scene& scene, int ranks) {
+  std::vector<std::string> known;
+  if (!noFlowBecause(scene).empty()) return known;
+  if (const auto problem = resolutionProblem(scene, Units()))
+    known.push_back(fmt::format("will be refused: {}", problem->message));
+  if (scene.flow->backend == flowBackendNames::foam) {
+    if (const std::string missing = missingFoamProgram(ranks); !missing.empty())
+      known.push_back(fmt::format("will fail: {}", missing));
+  }
+  if (std::string turbulent = turbulenceForecast(scene); !turbulent.empty())
+    known.push_back(std::move(turbulent));
+  return known;
+}
+
+}  // namespace restenosis

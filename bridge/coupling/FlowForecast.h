@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Scene.h"
+
+namespace restenosis {
+
+/// What is known of a scene's flow before it is solved, as ends of a sentence that begins with the flow: that
+/// it will be refused (resolutionProblem) or fail on this machine, or that it is no laminar one. Empty where
+/// the scene's flow is never solved. `ranks`: processes of OpenFOAM.
+std::vector<std::string> flowForecast(const Scene& scene, int ranks);
+
+/// Of these, that it is no laminar one; empty where it is, or is never solved.
+std::string turbulenceForecast(const Scene& scene);
+
+/// Why the flow of a scene is never solved, or empty.
+std::string noFlowBecause(const Scene& scene);
+
+}  // namespace restenosis

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "FlowForecast.h"
+
+namespace restenosis {
+namespace {
+
+/// Steady flow through a tube, by Poiseuille's law.
+Scene sceneWithFlow(double meanVelocity) {
+  Scene scene;
+  scene.vessel.lumenDiameter = 1.8e-3;
+  auto& flow = scene.flow.emplace();
+  flow.backend = "analytic";
+  flow.meanVelocity = meanVelocity;
+  flow.kinematicViscosity = 2.7e-6;
+  return scene;
+}
+
+TEST(FlowForecast, SaysWhenTheFlowIsNotLaminar) {
+  EXPECT_TRUE(flowForecast(sceneWithFlow(0.133), 1).empty());  // Re 89
+  EXPECT_TRUE(flowForecast(sceneWithFlow(2.99), 1).empty());   // 1993
+  const auto known = flowForecast(sceneWithFlow(10), 1);
+  ASSERT_EQ(known.size(), 1u);
+  EXPECT_TRUE(known[0].starts_with("has the Reynolds number 6667:")) << known[0];
+}
+
+TEST(FlowForecast, SaysNothingOfAFlowThatIsNeverSolved) {
+  Scene scene = sceneWithFlow(10);
+  scene.mechanics.emplace();
+  EXPECT_NE(noFlowBecause(scene), "");
+  EXPECT_TRUE(flowForecast(scene, 1).empty());
+  scene.flow.reset();
+  EXPECT_EQ(noFlowBecause(scene), "no [flow]");
+}
+
+TEST(FlowForecast, SaysWhatWillBeRefused) {
+  Scene scene = sceneWithFlow(0.133);
+  scene.flow->backend = "lbm";
+  scene.lbm.emplace().dx = 1e-3;
+  const auto known = flowForecast(scene, 1);
+  ASSERT_EQ(known.size(), 1u);
+  EXPECT_TRUE(known[0].starts_with("will be refused: 'dx' in [lbm]")) << known[0];
+}
+
+TEST(FlowForecast, TheReynoldsNumberIsTheSameByEitherDrive) {
+  FlowParameters flow;
+  const double byVelocity = flow.reynoldsNumber(1.8e-3);
+  EXPECT_NEAR(byVelocity, 0.133 * 1.8e-3 / 2.7e-6, 1e-9);
+  flow.drive = "pressureGradient";
+  EXPECT_NEAR(flow.reynoldsNumber(1.8e-3), byVelocity, 1e-3 * byVelocity);
+}
+
+}  // namespace
+}  // namespace restenosis
