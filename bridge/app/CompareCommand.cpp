@@ -12,6 +12,7 @@
 #include "ComparedLumen.h"
 #include "ComparisonWriter.h"
 #include "ExitStatus.h"
+#include "Failures.h"
 #include "Figures.h"
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
@@ -146,20 +147,9 @@ int tryCompare(const CompareArguments& arguments) {
       std::cerr << error.what() << '\n';
       return ExitStatus::wrongInput;
     }
-  try {
-    return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded));
-  } catch (const FolderRefused& error) {
-    std::cerr << error.what() << '\n';
-    return ExitStatus::wrongInput;
-  } catch (const FlowFailed& error) {
-    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
-    if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
-  } catch (const Interrupted&) {
-    std::cerr << "\ninterrupted\n";
-  } catch (const std::exception& error) {
-    std::cerr << fmt::format("\n{}\n", error.what());
-  }
-  return ExitStatus::failed;
+  return exitStatusOf(
+      [&] { return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded)); },
+      "interrupted");
 }
 
 }  // namespace

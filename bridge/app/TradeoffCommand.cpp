@@ -7,10 +7,9 @@
 #include <iostream>
 #include <memory>
 
-#include "Checkpoint.h"
 #include "ExitStatus.h"
+#include "Failures.h"
 #include "Figures.h"
-#include "FlowBackend.h"
 #include "FlowBackendNames.h"
 #include "FlowTradeoff.h"
 #include "FoamPath.h"
@@ -75,36 +74,24 @@ int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path
 int trySweep(const TradeoffArguments& arguments) {
   const auto scene = arguments.scene.read();
   if (!scene) return ExitStatus::wrongInput;
+  std::vector<SweptSetting> settings;
   try {
-    const auto settings = settingsFor(*scene, arguments.vary);
-    if (settings.empty() && !solvesFlow(*scene)) {
-      std::cerr << fmt::format("{}: it has neither tissue nor flow: there is nothing to trade\n",
-                               arguments.scene.file);
-      return ExitStatus::wrongInput;
-    }
-    const auto scenes = sweptScenes(arguments.scene, settings);
-    if (!scenes) return ExitStatus::wrongInput;
-    const fs::path folder = arguments.folder.empty() ? fs::path("results") / (scene->name + "-tradeoff")
-                                                     : fs::path(arguments.folder);
-    return sweep(*scene, arguments, folder, settings, *scenes);
+    settings = settingsFor(*scene, arguments.vary);
   } catch (const std::invalid_argument& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
-  } catch (const FolderRefused& error) {
-    std::cerr << error.what() << '\n';
-    return ExitStatus::wrongInput;
-  } catch (const CheckpointRefused& error) {
-    std::cerr << error.what() << '\n';
-    return ExitStatus::wrongInput;
-  } catch (const FlowFailed& error) {
-    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
-    if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
-  } catch (const Interrupted&) {
-    std::cerr << "\ninterrupted; the same command goes on with the runs\n";
-  } catch (const std::exception& error) {
-    std::cerr << fmt::format("\n{}\n", error.what());
   }
-  return ExitStatus::failed;
+  if (settings.empty() && !solvesFlow(*scene)) {
+    std::cerr << fmt::format("{}: it has neither tissue nor flow: there is nothing to trade\n",
+                             arguments.scene.file);
+    return ExitStatus::wrongInput;
+  }
+  const auto scenes = sweptScenes(arguments.scene, settings);
+  if (!scenes) return ExitStatus::wrongInput;
+  const fs::path folder = arguments.folder.empty() ? fs::path("results") / (scene->name + "-tradeoff")
+                                                   : fs::path(arguments.folder);
+  return exitStatusOf([&] { return sweep(*scene, arguments, folder, settings, *scenes); },
+                      "interrupted; the same command goes on with the runs");
 }
 
 }  // namespace
