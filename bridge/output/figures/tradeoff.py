@@ -9,6 +9,7 @@ import style
 COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
 MARKERS = "osD^vP*"
 SEEDS = "scene.seed"
+STRESS = "wall shear stress"
 WIDE = 5  # a span of more than this factor has a logarithmic axis
 
 
@@ -69,8 +70,8 @@ def draw_panel(axis, rows, title, seeds):
 
 def draw(folder, path):
     rows = read(folder)
-    flow = [row for row in rows if row["setting"] == "flow"]
-    runs = [row for row in rows if row["setting"] not in ("flow", SEEDS)]
+    flow = [row for row in rows if row["meaning"].startswith(STRESS)]
+    runs = [row for row in rows if row not in flow and row["setting"] != SEEDS]
     seeds = [row["error"] for row in rows if row["setting"] == SEEDS and row["error"] > 0]
     panels = []
     if any(row["error"] > 0 for row in flow):
