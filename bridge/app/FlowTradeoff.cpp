@@ -10,6 +10,7 @@
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
 #include "FlowComparison.h"
+#include "FlowForecast.h"
 #include "PoiseuilleError.h"
 #include "Run.h"
 
@@ -52,11 +53,6 @@ Scene sceneWith(SceneArguments arguments, const std::string& override) {
   auto scene = arguments.read();
   if (!scene) throw std::runtime_error(fmt::format("--set {} does not fit this scene", override));
   return *scene;
-}
-
-bool obeysPoiseuille(const Scene& scene) {
-  return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
-         scene.flow->drive == "flowRate";
 }
 
 }  // namespace

@@ -30,14 +30,18 @@ std::string noFlowBecause(const Scene& scene) {
   return "";
 }
 
+bool obeysPoiseuille(const Scene& scene) {
+  return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
+         scene.flow->drive == "flowRate";
+}
+
 std::string turbulenceForecast(const Scene& scene) {
   if (!noFlowBecause(scene).empty()) return "";
   const double number = scene.flow->reynoldsNumber(scene.vessel.lumenDiameter);
   if (number <= largestLaminar) return "";
   return fmt::format(
       "has the Reynolds number {:.4g}: beyond some {:g} the flow in a tube is turbulent, and it is computed "
-      "as a "
-      "steady laminar one; are velocity, viscosity and diameter right?",
+      "as a steady laminar one; are velocity, viscosity and diameter right?",
       number, largestLaminar);
 }
 

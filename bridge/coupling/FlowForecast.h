@@ -15,6 +15,10 @@ std::vector<std::string> flowForecast(const Scene& scene, int ranks);
 /// Of these, that it is no laminar one; empty where it is, or is never solved.
 std::string turbulenceForecast(const Scene& scene);
 
+/// Whether Poiseuille's law is the exact answer: in a straight tube without tissue, at a fixed flow rate. The
+/// scene has a flow.
+bool obeysPoiseuille(const Scene& scene);
+
 /// Why the flow of a scene is never solved, or empty.
 std::string noFlowBecause(const Scene& scene);
 

@@ -273,8 +273,7 @@ std::uint64_t Run::flowSolvesDone() const { return world_.flow.solves; }
 
 std::optional<PoiseuilleError> Run::poiseuille() const {
   const VesselParameters& vessel = scene_.vessel;
-  const bool straightTube = !scene_.hasTissue() && vessel.stenosis == 0 && !world_.hasLoadedLumen();
-  if (!straightTube || !world_.flow.last || scene_.flow->drive != "flowRate") return std::nullopt;
+  if (!world_.flow.last || !obeysPoiseuille(scene_)) return std::nullopt;
   return poiseuilleError(world_.flow.last->wall, vessel.lumenDiameter, vessel.length,
                          scene_.flow->conditions(vessel.lumenDiameter));
 }
