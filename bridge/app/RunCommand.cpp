@@ -79,7 +79,10 @@ std::string differencesFrom(const std::filesystem::path& path, const Scene& scen
   try {
     const Units units;
     const auto keys = decisiveDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
-    if (keys.empty()) return "the keys are the same: a file that the scene names has been changed";
+    if (keys.empty()) {
+      return "the keys are the same: a file that the scene names has been changed, or the two versions of "
+             "the program do not have the same keys";
+    }
     std::string list;
     for (const std::string& key : keys) list.append(list.empty() ? "" : ", ").append(key);
     return "they differ in " + list;

@@ -205,6 +205,49 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
   EXPECT_LT(report.agentEvaluations - everyoneOnce, 0.2 * report.iterations * everyoneOnce);
 }
 
+/// One agent between two fixed ones, each overlapping it by `overlap` radii, and moved off the middle until
+/// the force on it is half of the tolerance.
+Block heldAgent(const MechanicsParameters& p, double overlap) {
+  Block row(0);
+  for (int k = -1; k <= 1; ++k) {
+    const Index i = row.agents.append(AgentKind::smc, Vec3(k * (2 - overlap) * r, 0, 0), r);
+    row.agents.set(i, AgentFlag::fixed, k != 0);
+  }
+  row.bonds.resize(3);
+  while (largestResidual(p, row) < 0.5 * p.tolerance) row.agents.x[1] += 1e-5 * r;
+  return row;
+}
+
+TEST(Relaxation, BringsAgentsThatContactsHoldSoftlyFartherToRest) {
+  MechanicsParameters p;
+  for (const double overlap : {0.02, 0.5}) {
+    Block row = heldAgent(p, overlap);
+    const AgentStore before = row.agents;
+    const double firmness =
+        ForceField(p).evaluate(row.agents, row.bonds)[1].firmness / (p.contactModulus * r);
+    p.firmStiffness = 0;
+    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    EXPECT_EQ(row.agents.x, before.x) << "within the tolerance";
+    p.firmStiffness = 0.9 * firmness;
+    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    EXPECT_EQ(row.agents.x, before.x) << "held firmly";
+    p.firmStiffness = 4 * firmness;
+    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    EXPECT_NE(row.agents.x, before.x) << overlap;
+    EXPECT_LE(largestResidual(p, row), p.tolerance / 4) << overlap;
+  }
+}
+
+TEST(Relaxation, GivesAgentsWithoutContactALeastFirmness) {
+  MechanicsParameters p;
+  p.firmStiffness = 1000;
+  Block block(8, false);
+  block.agents.set(block.agents.size() / 2, AgentFlag::daughter, true);
+  block.agents.radius[block.agents.size() / 2] *= 0.5;
+  EXPECT_TRUE(Relaxation(p, r).relax(block.agents, block.bonds, {}).converged);
+  EXPECT_LE(largestResidual(p, block), p.tolerance);
+}
+
 TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
   MechanicsParameters p;
   Block block(16);
@@ -296,7 +339,18 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
               std::string::npos)
         << e.what();
   }
-  p.stepLimit = MechanicsParameters().stepLimit;
+  p.firmStiffness = 33;
+  try {
+    Relaxation(p, r).relax(block.agents, block.bonds, {});
+    FAIL();
+  } catch (const RelaxationFailed& e) {
+    EXPECT_NE(std::string(e.what()).find("or a smaller mechanics.firmStiffness"), std::string::npos)
+        << e.what();
+    EXPECT_GT(e.force, 0);
+    EXPECT_LE(e.force, e.report.residual);
+  }
+  p = MechanicsParameters();
+  p.maximumIterations = 2;
   p.stopAtMaximum = true;
   Block again(5);
   const auto report = Relaxation(p, r).relax(again.agents, again.bonds, {});

@@ -254,9 +254,10 @@ void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset
       AgentMotion& motion = motion_[i];
       motion.force = force;
       motion.stiffness = std::max(settings_.softest, load.stiffness);
-      motion.residual = force.norm();
+      const double held = std::max(settings_.softest, load.firmness);
+      motion.restlessness = force.norm() * std::max(1.0, settings_.firm / held);
       agents_.pressure[i] = load.pressure;
-      if (!part.found && !std::isfinite(motion.residual)) part = {true, i};
+      if (!part.found && !std::isfinite(motion.restlessness)) part = {true, i};
     }
     if (look) look(begin, end);
   });

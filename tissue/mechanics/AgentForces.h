@@ -26,6 +26,7 @@ class AgentForces {
  public:
   struct Settings {
     double softest = 0;               ///< least stiffness an agent is given [N/m]
+    double firm = 0;                  ///< stiffness of contacts that hold an agent firmly [N/m]
     double skin = 0;                  ///< how far beyond contact the neighbour list looks [m]
     std::optional<FixedScale> scale;  ///< of mixed precision; nothing for double precision
   };
@@ -49,7 +50,11 @@ class AgentForces {
   /// By agent. Velocities are the caller's to set; those of agents not seen before are zero.
   const std::vector<AgentMotion>& motion() const { return motion_; }
   std::span<AgentMotion> motion() { return motion_; }
-  double residual(Index i) const { return motion_[i].residual; }
+  /// The force on an agent, as last computed [N].
+  double residual(Index i) const { return motion_[i].force.norm(); }
+  /// The same times `firm` over the stiffness of the agent's contacts, which is taken as `softest` at least;
+  /// never less than the residual [N].
+  double restlessness(Index i) const { return motion_[i].restlessness; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 
   /// Moves an agent, named to startMoving before, to the nearest place its constraints allow. Returns whether

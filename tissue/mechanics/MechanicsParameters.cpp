@@ -57,6 +57,13 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
                          .maximum = 10,
                          .source = "ISR3D",
                          .description = "largest force left on an agent over C r0^2"});
+  p.quantity(
+      firmStiffness,
+      {.key = "firmStiffness",
+       .minimum = 0,
+       .maximum = 1000,
+       .source = "assumed",
+       .description = "of contacts over C r0; agents held less firmly rest at less force in proportion"});
   p.boolean(sleeping, {.key = "sleeping",
                        .source = "assumed",
                        .description = "move only whom a disturbance reaches; without, all or none"});

@@ -85,7 +85,7 @@ class PairForces {
     std::array<Values, width> rests;
     const auto here = spheres_.at(self.data());
     const bool allBondsAlike = attraction_.axialFactor == 1;
-    Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};
+    Values fx = 0, fy = 0, fz = 0, virial = 0, firmness = 0, stiffness = 0, nearest2 = Real{1};
     for (std::uint32_t n = 0; n < rows.size(); ++n) {
       if (n % width == 0) {
         blocks = rows.blocks(n);
@@ -106,6 +106,7 @@ class PairForces {
       const Values distance = distance2.sqrt();
       Values push, slope;
       law_.evaluate((radii - distance).max(0), here.r * there.r / radii, push, slope);
+      firmness += slope;
       stiffness += slope;
 
       const Values rest = rests[n % width];
@@ -131,9 +132,12 @@ class PairForces {
     for (int k = 0; k < lanes; ++k) {
       apart &= nearest2[k] > 0;
       const double r = here.r[k];
-      loads[k] = {fx[k], fy[k], fz[k],
+      loads[k] = {fx[k],
+                  fy[k],
+                  fz[k],
                   virial[k] / (8 * std::numbers::pi * r * r * r),  // 2 (halves) x 3 (trace) x V
-                  stiffness[k]};
+                  stiffness[k],
+                  firmness[k]};
     }
     return apart;
   }

@@ -104,6 +104,7 @@ RelaxationReport Relaxation::relaxAgain(AgentStore& agents, const BondTable& bon
   } else {
     const AgentForces::Settings settings{
         .softest = softestContact * parameters_.contactModulus * referenceRadius_,
+        .firm = parameters_.firmStiffness * parameters_.contactModulus * referenceRadius_,
         .skin = skinOverRadius * referenceRadius_,
         .scale = mixedScale()};
     standing = std::make_unique<Standing>(agents, bonds, constraints, field_, neighbours_, settings,
@@ -131,27 +132,29 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
     ++report.iterations;
     // Waking one after another is a slow way to bring a long soft chain to rest, for example.
     if (report.iterations == parameters_.maximumIterations / 2) relaxing.wakeAll();
-    const double settled = settledShare(relaxing) * parameters_.tolerance * characteristicForce_;
+    const double settled = settledShare(relaxing);
     const bool due = report.iterations % iterationsBetweenReviews == 0;
-    const bool quiet = relaxing.awakeResidual() <= settled;
+    const bool quiet = relaxing.allSettled(settled);
     // Before any retire: whoever moved is still awake, so no sleeper beside them is missed.
     const bool woken = (quiet || due) && relaxing.wakeDisturbed();
-    if (due) relaxing.retireQuiet(settled);
+    if (due) relaxing.retireSettled(settled);
     report.converged = quiet && !woken && !relaxing.wakeAnyone();
   }
   if (!report.converged) relaxing.wakeAnyone();  // so that the residual reported is that of all agents
   report.residual = relaxing.residual() / characteristicForce_;
   report.agentEvaluations = standing.forces.evaluations() - evaluationsBefore;
   if (!report.converged && !parameters_.stopAtMaximum) {
-    const AgentId worst = standing.forces.agents().id[relaxing.worstAgent()];
+    const Index worst = relaxing.mostRestless();
+    const AgentId id = standing.forces.agents().id[worst];
+    const double left = standing.forces.residual(worst) / characteristicForce_;
     throw RelaxationFailed(
         fmt::format(
             "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations "
             "= {}: the force on agent {} is still {:.3g} times C r0^2{}. Allow more iterations or a "
-            "larger tolerance, or set mechanics.stopAtMaximum = true to go on with what was reached",
-            parameters_.tolerance, parameters_.maximumIterations, worst, report.residual,
-            shortSteps(parameters_)),
-        report, worst);
+            "larger tolerance{}, or set mechanics.stopAtMaximum = true to go on with what was reached",
+            parameters_.tolerance, parameters_.maximumIterations, id, left, shortSteps(parameters_),
+            parameters_.firmStiffness > 0 ? " or a smaller mechanics.firmStiffness" : ""),
+        report, id, left);
   }
   return report;
 }

@@ -26,14 +26,16 @@ struct RelaxationReport {
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
 /// names the settings to change.
 struct RelaxationFailed : std::runtime_error {
-  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst)
-      : std::runtime_error(message), report(done), worstAgent(worst) {}
+  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst, double left)
+      : std::runtime_error(message), report(done), worstAgent(worst), force(left) {}
   RelaxationReport report;
-  AgentId worstAgent;  ///< with the largest force left
+  AgentId worstAgent;  ///< the farthest from rest
+  double force;        ///< left on it, over C r0^2
 };
 
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
-/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step.
+/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step. An agent whose
+/// contacts are less stiff than `firmStiffness` rests at less, in proportion.
 ///
 /// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
 /// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the

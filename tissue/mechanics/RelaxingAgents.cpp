@@ -21,6 +21,10 @@ constexpr std::size_t fewAgents = 500;
 // force unchanged, never wakes: who wakes must not depend on the list.
 constexpr double wakingShare = 1.1;
 
+// However small the force on it, an agent that its contacts hold softly is not settled above this many times
+// the tolerance: it would wake again.
+constexpr double calmShare = 0.7;
+
 // Fewer agents than one of this many are sorted; for more, the marks of all are looked through. Speed only,
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
@@ -70,14 +74,17 @@ void RelaxingAgents::advance() {
 void RelaxingAgents::Sight::join(const Sight& other) {
   totals.join(other.totals);
   residual = std::max(residual, other.residual);
+  restlessness = std::max(restlessness, other.restlessness);
 }
 
 MinimiserView RelaxingAgents::view() { return {awake_, forces_.motion(), forces_.agents().radius}; }
 
 void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
   minimiser_->total(view(), begin, end, part.totals);
-  for (std::size_t k = begin; k < end; ++k)
+  for (std::size_t k = begin; k < end; ++k) {
     part.residual = std::max(part.residual, forces_.residual(awake_[k]));
+    part.restlessness = std::max(part.restlessness, forces_.restlessness(awake_[k]));
+  }
 }
 
 const RelaxingAgents::Sight& RelaxingAgents::sight() {
@@ -106,7 +113,7 @@ bool RelaxingAgents::wakeDisturbed() {
   forces_.evaluate(beside);
   forces_.doubt(beside);
   const std::vector<Index> restless =
-      agentsOf(beside, [this](Index j) { return forces_.residual(j) > wakingShare * tolerance_; });
+      agentsOf(beside, [this](Index j) { return forces_.restlessness(j) > wakingShare * tolerance_; });
   wakeRestless(restless);
   return !restless.empty();
 }
@@ -117,8 +124,8 @@ bool RelaxingAgents::wakeAnyone() {
   sight_.reset();
   relisted_.clear();
   wakeRestless(
-      agentsOf(computed, [this](Index i) { return !isAwake_[i] && forces_.residual(i) > tolerance_; }));
-  return awakeResidual() > tolerance_;
+      agentsOf(computed, [this](Index i) { return !isAwake_[i] && forces_.restlessness(i) > tolerance_; }));
+  return sight().restlessness > tolerance_;
 }
 
 template <class Look>
@@ -168,11 +175,20 @@ void RelaxingAgents::wakeAllAsleep() {
   forces_.evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
 }
 
-void RelaxingAgents::retireQuiet(double settled) {
+bool RelaxingAgents::settled(double residual, double restlessness, double share) const {
+  return residual <= share * tolerance_ && restlessness <= std::max(share, calmShare) * tolerance_;
+}
+
+bool RelaxingAgents::allSettled(double share) {
+  return settled(sight().residual, sight().restlessness, share);
+}
+
+void RelaxingAgents::retireSettled(double share) {
   if (!mayAnyoneSleep()) return;
-  std::vector<Index> restless = agentsOf(awake_, [&](Index i) { return forces_.residual(i) > settled; });
+  const auto atRest = [&](Index i) { return settled(forces_.residual(i), forces_.restlessness(i), share); };
+  std::vector<Index> restless = agentsOf(awake_, [&](Index i) { return !atRest(i); });
   if (!areFew(restless.size())) return;
-  for (const Index i : agentsOf(awake_, [&](Index j) { return forces_.residual(j) <= settled; })) {
+  for (const Index i : agentsOf(awake_, atRest)) {
     isAwake_[i] = 0;
     forces_.motion()[i].velocity.setZero();
   }
@@ -189,10 +205,14 @@ void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
   std::inplace_merge(awake_.begin(), awake_.begin() + middle, awake_.end());
 }
 
-double RelaxingAgents::residual() const { return forces_.size() == 0 ? 0 : forces_.residual(worstAgent()); }
+double RelaxingAgents::residual() const {
+  double largest = 0;
+  for (const Index i : forces_.free()) largest = std::max(largest, forces_.residual(i));
+  return largest;
+}
 
-Index RelaxingAgents::worstAgent() const {
-  return static_cast<Index>(std::ranges::max_element(forces_.motion(), {}, &AgentMotion::residual) -
+Index RelaxingAgents::mostRestless() const {
+  return static_cast<Index>(std::ranges::max_element(forces_.motion(), {}, &AgentMotion::restlessness) -
                             forces_.motion().begin());
 }
 

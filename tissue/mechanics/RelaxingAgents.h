@@ -17,8 +17,8 @@ namespace restenosis {
 /// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
-  /// All are asleep. `tolerance` is the residual above which an agent is not at rest [N]. Without `sleeping`
-  /// all are awake as soon as one is.
+  /// All are asleep. `tolerance` is the restlessness above which an agent is not at rest [N]. Without
+  /// `sleeping` all are awake as soon as one is.
   RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping);
 
   /// Sends everybody to sleep, computes all forces that may have changed and wakes the agents above the
@@ -30,9 +30,11 @@ class RelaxingAgents {
   /// tolerance; tells whether there were any.
   bool wakeDisturbed();
 
-  /// Puts the awake agents to sleep that have come to rest: to a residual of `settled` [N]. Where many have
-  /// not, nobody falls asleep.
-  void retireQuiet(double settled);
+  /// Puts the awake agents to sleep that have settled: at a residual of this share of the tolerance. Where
+  /// many have not, nobody falls asleep.
+  void retireSettled(double share);
+  /// Whether all awake agents have.
+  bool allSettled(double share);
 
   /// Wakes everybody; nobody falls asleep before the next begin().
   void wakeAll();
@@ -43,12 +45,10 @@ class RelaxingAgents {
   /// Computes in double precision all forces that may have changed since it did so last, and wakes the agents
   /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
-  /// Largest residual of the awake agents [N].
-  double awakeResidual() { return sight().residual; }
   /// Largest residual of all free agents, as last computed [N].
   double residual() const;
-  /// Agent with the largest residual of all.
-  Index worstAgent() const;
+  /// The agent farthest from rest, as last computed.
+  Index mostRestless() const;
 
  private:
   /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
@@ -57,6 +57,7 @@ class RelaxingAgents {
   std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
   /// The same agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
+  bool settled(double residual, double restlessness, double share) const;
   /// Whether a disturbance of so many is a local one.
   bool areFew(std::size_t agents) const;
   /// Wakes them; all, if many are awake then.
@@ -66,7 +67,8 @@ class RelaxingAgents {
   /// What the forces on awake agents amount to.
   struct Sight {
     StepTotals totals;
-    double residual = 0;  ///< the largest [N]
+    double residual = 0;      ///< the largest [N]
+    double restlessness = 0;  ///< likewise
     void join(const Sight& other);
   };
   void look(std::size_t begin, std::size_t end, Sight& part);

@@ -96,9 +96,9 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
               "the packed wall did not come to rest: after {} iterations the force on agent {} is "
               "still {:.3g} times C r0^2, and walls are packed to half of mechanics.tolerance = {}. "
               "Choose a larger tolerance, mechanics.stepLimit (now {}) or mechanics.maximumIterations",
-              failure.report.iterations, failure.worstAgent, failure.report.residual, mechanics.tolerance,
+              failure.report.iterations, failure.worstAgent, failure.force, mechanics.tolerance,
               mechanics.stepLimit),
-          failure.report, failure.worstAgent);
+          failure.report, failure.worstAgent, failure.force);
     }
   };
 
