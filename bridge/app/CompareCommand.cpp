@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "AtomicFile.h"
 #include "ComparedLumen.h"
@@ -124,10 +127,29 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   return ExitStatus::done;
 }
 
+/// Whether an override, SECTION.KEY=VALUE or SECTION=..., changes how the flow is solved. Nothing else can:
+/// the lumen of a finished run is what it is.
+bool changesTheFlow(std::string_view override) {
+  const std::string_view name = override.substr(0, override.find('='));
+  if (name == "scene.fidelity") return true;
+  constexpr std::array<std::string_view, 4> ofTheFlow = {"flow", "foam", "lbm", "output"};
+  return std::ranges::find(ofTheFlow, name.substr(0, name.find('.'))) != ofTheFlow.end();
+}
+
 int tryCompare(const CompareArguments& arguments) {
   SceneArguments sceneArguments = arguments.scene;
   const fs::path target = fs::absolute(arguments.scene.file).lexically_normal();
-  if (arguments.ofResults()) sceneArguments.file = target / "scene.toml";
+  if (arguments.ofResults()) {
+    for (const std::string& override : sceneArguments.overrides) {
+      if (changesTheFlow(override)) continue;
+      std::cerr << fmt::format(
+          "--set {}: the lumen of a finished run is what it is; only [flow], [foam], [lbm], [output] and "
+          "scene.fidelity can be set for it\n",
+          override);
+      return ExitStatus::wrongInput;
+    }
+    sceneArguments.file = target / "scene.toml";
+  }
   auto scene = sceneArguments.read();
   if (!scene) return ExitStatus::wrongInput;
   if (arguments.ofResults()) scene->name = (target / "").parent_path().filename().string();

@@ -63,5 +63,17 @@ TEST_F(Compare, WrongInputIsNamed) {
   EXPECT_EXIT_STATUS(run({"compare", "missing.toml"}), 2);
 }
 
+TEST_F(Compare, ChangesOfAFinishedRunsLumenAreRefused) {
+  ASSERT_EXIT_STATUS(run({"run", scene("straight", straightTube), "-o", "done", "--flow", "analytic"}), 0);
+  for (const char* change :
+       {"vessel.length=1 mm", "scene.seed=2", "stent=present", "flowing.drive=flowRate"}) {
+    const auto end = run({"compare", "done", "--set", change});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(toString(end).find(change), std::string::npos) << toString(end);
+    EXPECT_NE(toString(end).find("scene.fidelity"), std::string::npos) << toString(end);
+  }
+  EXPECT_FALSE(exists("done/compare"));
+}
+
 }  // namespace
 }  // namespace restenosis
