@@ -113,7 +113,7 @@ void SceneDocument::apply(std::string_view override, std::vector<Diagnostic>& di
     return complain("no value; write section.key=value, section=absent or section=present");
   }
   const std::string_view value = trimmed(override.substr(equals + 1));
-  if (!isUtf8(override)) return complain("is not text in UTF-8");
+  if (!isUtf8(override)) return complain("is not text in UTF-8 without control characters");
   const auto dot = name.find('.');
   const std::string section(trimmed(name.substr(0, dot)));
   if (section.empty()) return complain("no section; write section.key=value");

@@ -212,6 +212,8 @@ TEST_F(SceneReaderTest, BlamesOverridesByName) {
   expectOne(start, 0, {"--set vessel.length: no value"}, {"vessel.length"});
   expectOne(start, 0, {"--set flow: write flow.key=value"}, {"flow=analytic"});
   expectOne(start, 0, {"--set scene.title: is not text in UTF-8"}, {"scene.title=a\xff"});
+  expectOne(start, 0, {"--set scene.title: is not text in UTF-8 without control characters"},
+            {"scene.title=a\x01z"});
   expectOne(start, 0, {"no section"}, {"=3"});
   expectOne(start, 0, {"no key"}, {"vessel.=3"});
   expectOne(start, 1, {"section [vessel] is missing"}, {"vessel=absent"});
