@@ -213,12 +213,13 @@ Block heldAgent(const MechanicsParameters& p, double overlap) {
     const Index i = row.agents.append(AgentKind::smc, Vec3(k * (2 - overlap) * r, 0, 0), r);
     row.agents.set(i, AgentFlag::fixed, k != 0);
   }
+  row.agents.set(1, AgentFlag::daughter, true);
   row.bonds.resize(3);
   while (largestResidual(p, row) < 0.5 * p.tolerance) row.agents.x[1] += 1e-5 * r;
   return row;
 }
 
-TEST(Relaxation, BringsAgentsThatContactsHoldSoftlyFartherToRest) {
+TEST(Relaxation, BringsDaughtersThatContactsHoldSoftlyFartherToRest) {
   MechanicsParameters p;
   for (const double overlap : {0.02, 0.5}) {
     Block row = heldAgent(p, overlap);
@@ -232,15 +233,19 @@ TEST(Relaxation, BringsAgentsThatContactsHoldSoftlyFartherToRest) {
     Relaxation(p, r).relax(row.agents, row.bonds, {});
     EXPECT_EQ(row.agents.x, before.x) << "held firmly";
     p.firmStiffness = 4 * firmness;
+    row.agents.set(1, AgentFlag::daughter, false);
+    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    EXPECT_EQ(row.agents.x, before.x) << "no daughter";
+    row.agents.set(1, AgentFlag::daughter, true);
     Relaxation(p, r).relax(row.agents, row.bonds, {});
     EXPECT_NE(row.agents.x, before.x) << overlap;
     EXPECT_LE(largestResidual(p, row), p.tolerance / 4) << overlap;
   }
 }
 
-TEST(Relaxation, GivesAgentsWithoutContactALeastFirmness) {
+TEST(Relaxation, BringsADaughterWithoutContactToRest) {
   MechanicsParameters p;
-  p.firmStiffness = 1000;
+  p.firmStiffness = 100;
   Block block(8, false);
   block.agents.set(block.agents.size() / 2, AgentFlag::daughter, true);
   block.agents.radius[block.agents.size() / 2] *= 0.5;

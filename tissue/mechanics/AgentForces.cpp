@@ -254,8 +254,11 @@ void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset
       AgentMotion& motion = motion_[i];
       motion.force = force;
       motion.stiffness = std::max(settings_.softest, load.stiffness);
-      const double held = std::max(settings_.softest, load.firmness);
-      motion.restlessness = force.norm() * std::max(1.0, settings_.firm / held);
+      motion.restlessness = force.norm();
+      if (agents_.has(i, AgentFlag::daughter)) {
+        const double held = std::max(settings_.softest, load.firmness);
+        motion.restlessness *= std::max(1.0, settings_.firm / held);
+      }
       agents_.pressure[i] = load.pressure;
       if (!part.found && !std::isfinite(motion.restlessness)) part = {true, i};
     }

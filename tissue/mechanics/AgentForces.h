@@ -26,7 +26,7 @@ class AgentForces {
  public:
   struct Settings {
     double softest = 0;               ///< least stiffness an agent is given [N/m]
-    double firm = 0;                  ///< stiffness of contacts that hold an agent firmly [N/m]
+    double firm = 0;                  ///< stiffness of contacts that hold a daughter firmly [N/m]
     double skin = 0;                  ///< how far beyond contact the neighbour list looks [m]
     std::optional<FixedScale> scale;  ///< of mixed precision; nothing for double precision
   };
@@ -52,8 +52,8 @@ class AgentForces {
   std::span<AgentMotion> motion() { return motion_; }
   /// The force on an agent, as last computed [N].
   double residual(Index i) const { return motion_[i].force.norm(); }
-  /// The same times `firm` over the stiffness of the agent's contacts, which is taken as `softest` at least;
-  /// never less than the residual [N].
+  /// The same, for a daughter times `firm` over the stiffness of her contacts, taken as `softest` at least,
+  /// where that is above 1 [N].
   double restlessness(Index i) const { return motion_[i].restlessness; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 

@@ -61,9 +61,9 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
       firmStiffness,
       {.key = "firmStiffness",
        .minimum = 0,
-       .maximum = 1000,
+       .maximum = 100,
        .source = "assumed",
-       .description = "of contacts over C r0; agents held less firmly rest at less force in proportion"});
+       .description = "of contacts over C r0; daughters held less firmly rest at less force in proportion"});
   p.boolean(sleeping, {.key = "sleeping",
                        .source = "assumed",
                        .description = "move only whom a disturbance reaches; without, all or none"});

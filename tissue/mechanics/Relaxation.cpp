@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "AgentForces.h"
@@ -72,7 +73,10 @@ Relaxation::~Relaxation() = default;
 
 std::optional<FixedScale> Relaxation::mixedScale() const {
   if (parameters_.precision == "double") return std::nullopt;
-  if (parameters_.precision == "automatic" && parameters_.tolerance < leastMixedTolerance)
+  // A daughter whom contacts hold softest may have to come to rest farther than the others settle.
+  const double softest = RelaxingAgents::calmShare * softestContact / parameters_.firmStiffness;
+  const double finer = std::min(1.0, softest / settledShareOfFew);
+  if (parameters_.precision == "automatic" && finer * parameters_.tolerance < leastMixedTolerance)
     return std::nullopt;
   return FixedScale(referenceRadius_);
 }

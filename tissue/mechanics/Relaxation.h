@@ -34,7 +34,7 @@ struct RelaxationFailed : std::runtime_error {
 };
 
 /// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
-/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step. An agent whose
+/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step. A daughter whose
 /// contacts are less stiff than `firmStiffness` rests at less, in proportion.
 ///
 /// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,

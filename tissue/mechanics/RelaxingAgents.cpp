@@ -21,10 +21,6 @@ constexpr std::size_t fewAgents = 500;
 // force unchanged, never wakes: who wakes must not depend on the list.
 constexpr double wakingShare = 1.1;
 
-// However small the force on it, an agent that its contacts hold softly is not settled above this many times
-// the tolerance: it would wake again.
-constexpr double calmShare = 0.7;
-
 // Fewer agents than one of this many are sorted; for more, the marks of all are looked through. Speed only,
 // not measured.
 constexpr std::size_t marksOverSorting = 256;

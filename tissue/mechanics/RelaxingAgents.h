@@ -17,6 +17,10 @@ namespace restenosis {
 /// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
+  /// However small the force on it, a daughter that her contacts hold softly has not settled at a
+  /// restlessness above this share of the tolerance: it would wake again.
+  static constexpr double calmShare = 0.7;
+
   /// All are asleep. `tolerance` is the restlessness above which an agent is not at rest [N]. Without
   /// `sleeping` all are awake as soon as one is.
   RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping);
