@@ -18,7 +18,7 @@ namespace restenosis {
 class RelaxingAgents {
  public:
   /// However small the force on it, a daughter that her contacts hold softly has not settled at a
-  /// restlessness above this share of the tolerance: it would wake again.
+  /// restlessness above this share of the tolerance: it would wake again. Assumed.
   static constexpr double calmShare = 0.7;
 
   /// All are asleep. `tolerance` is the restlessness above which an agent is not at rest [N]. Without
@@ -61,6 +61,8 @@ class RelaxingAgents {
   std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
   /// The same agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
+  /// Whether an agent, or all of those with these largest values [N], has settled at this share of the
+  /// tolerance.
   bool settled(double residual, double restlessness, double share) const;
   /// Whether a disturbance of so many is a local one.
   bool areFew(std::size_t agents) const;
