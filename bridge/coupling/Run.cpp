@@ -11,6 +11,7 @@
 #include "FlowBackends.h"
 #include "FlowForecast.h"
 #include "FlowPart.h"
+#include "ForceField.h"
 #include "LumenFrame.h"
 #include "LumenPart.h"
 #include "LumenSurface.h"
@@ -146,7 +147,7 @@ void Run::deploy() {
       checkpointWhenDue(false);
     }
     world_.stent = deployment.stent();
-    if (const Index pressed = deployment.agentsBeyondLaw(); pressed > 0)
+    if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
       world_.remarks.push_back(
           fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "
                       "its continuation "
@@ -166,6 +167,7 @@ void Run::startGrowth() {
     if (scene_.injury)
       world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
     world_.changes.touch(Quantity::cellStates);
+    world_.wall.lastMove = std::vector<double>();
   }
   if (const std::string turbulent = turbulenceForecast(scene_); !turbulent.empty())
     world_.remarks.push_back(fmt::format("the flow {}", turbulent));
@@ -305,6 +307,7 @@ void Run::writeSummary() {
   summary.threads = options_.threads;
   summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
+  summary.sceneFingerprint = fingerprint_;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;

@@ -73,6 +73,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["threads"] = summary.threads;
   json["ranks"] = summary.ranks;
   json["agents"] = summary.last.agents;
+  json["sceneFingerprint"] = summary.sceneFingerprint;
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);
   json["flow"] = flowSolves(summary);

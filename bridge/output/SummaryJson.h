@@ -18,8 +18,9 @@ struct Summary {
   std::string status = "finished";  ///< or what ended the run
   std::int64_t seed = 0;
   int threads = 1;
-  int ranks = 1;            ///< MPI processes of OpenFOAM
-  std::string flowBackend;  ///< empty when no flow is modelled
+  int ranks = 1;                 ///< MPI processes of OpenFOAM
+  std::string flowBackend;       ///< empty when no flow is modelled
+  std::string sceneFingerprint;  ///< of all keys and files that decide the result
   std::string stateDigest;
   TimeSeriesRow last;  ///< the final values
   std::uint64_t flowSolvesDone = 0;
@@ -32,11 +33,11 @@ struct Summary {
   std::vector<std::string> remarks;  ///< warnings and retries of all parts
 };
 
-/// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, stateDigest, final (the
-/// columns of timeSeries.csv; null where unknown), flow (solves done, skipped, and skipped by reason; meshes
-/// moved, and made anew by reason), relaxation (iterations during growth, and forces computed), poiseuille
-/// (errors, null where the exact stress is not known), parts (seconds and peak memory), totalSeconds,
-/// remarks. Throws WriteFailed.
+/// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
+/// stateDigest, final (the columns of timeSeries.csv; null where unknown), flow (solves done, skipped, and
+/// skipped by reason; meshes moved, and made anew by reason), relaxation (iterations during growth, and
+/// forces computed), poiseuille (errors, null where the exact stress is not known), parts (seconds and peak
+/// memory), totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -81,6 +81,19 @@ TEST_F(Resume, CtrlCSavesTheStateAndSaysHowToGoOn) {
   expectSameResults("out", "reference");
 }
 
+TEST_F(Resume, AfterAnInterruptionInTheLastStepOfDeploymentTheResultsAreTheSame) {
+  const std::string tiny = scene("tiny", with(with(tinyScene, "deploymentSteps = 8", "deploymentSteps = 1"),
+                                              "deploymentDepth = \"40 um\"", "deploymentDepth = \"10 um\""));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);
+  Process deploying(command({"run", tiny, "-o", "out"}), folder.path());
+  sleepUntil(deploying, [&] { return exists("out/checkpoint/state.bin"); });
+  deploying.send(SIGINT);
+  EXPECT_EXIT_STATUS(deploying.wait(patience), 1);
+  EXPECT_FALSE(exists("out/timeSeries.csv")) << "this was to fall into deployment";
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+  expectSameResults("out", "reference");
+}
+
 TEST_F(Resume, GoesOnWithAFinishedRunForLonger) {
   const std::string tiny = scene("tiny", tinyScene);
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);

@@ -259,5 +259,19 @@ TEST(ForceField, PushesCoincidingCentresApart) {
   }
 }
 
+TEST(ForceField, CountsWhomTheContactLawDoesNotHoldFor) {
+  // A small cell in the middle of a large one, two that touch, and a strut inside another large one.
+  AgentStore agents;
+  const auto add = [&](AgentKind kind, double x, double radius) {
+    agents.append(kind, Vec3(x * r, 0, 0), radius * r);
+  };
+  add(AgentKind::smc, 0, 5), add(AgentKind::smc, 0.5, 1);
+  add(AgentKind::smc, 20, 1), add(AgentKind::smc, 21.9, 1);
+  add(AgentKind::smc, 40, 5), add(AgentKind::strut, 40, 1);
+  const auto beyond = [&](std::string_view law) { return ForceField(ofLaw(law)).agentsBeyondLaw(agents); };
+  EXPECT_EQ(beyond("hertzNeoHookean"), 3u);
+  EXPECT_EQ(beyond("hertz"), 0u);
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -301,29 +301,6 @@ TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
       << report.iterations << " iterations";
 }
 
-TEST(Relaxation, CountsWhomTheContactLawDoesNotHoldFor) {
-  // A small cell held in the middle of a large one, two that touch, and a strut inside another large one.
-  AgentStore agents;
-  const auto add = [&](AgentKind kind, double x, double radius) {
-    agents.append(kind, Vec3(x * r, 0, 0), radius * r);
-    agents.set(agents.size() - 1, AgentFlag::fixed, true);
-  };
-  add(AgentKind::smc, 0, 5), add(AgentKind::smc, 0.5, 1);
-  add(AgentKind::smc, 20, 1), add(AgentKind::smc, 21.9, 1);
-  add(AgentKind::smc, 40, 5), add(AgentKind::strut, 40, 1);
-  BondTable bonds;
-  bonds.resize(agents.size());
-  const auto beyond = [&](const char* law) {
-    MechanicsParameters p;
-    p.contactLaw = law;
-    Relaxation relaxation(p, r);
-    relaxation.relax(agents, bonds, {});
-    return relaxation.agentsBeyondLaw(agents);
-  };
-  EXPECT_EQ(beyond("hertzNeoHookean"), 3u);
-  EXPECT_EQ(beyond("hertz"), 0u);
-}
-
 TEST(Relaxation, NamesTheSettingsWhenItFails) {
   MechanicsParameters p;
   p.maximumIterations = 2;

@@ -1,5 +1,6 @@
 #include "ForceField.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "BondAttraction.h"
@@ -65,16 +66,20 @@ double ForceField::energy(const AgentStore& agents, const BondTable& bonds) cons
   return total;
 }
 
-double ForceField::overlapOverValid(const AgentStore& agents, const NeighbourList& neighbours,
-                                    Index i) const {
-  double largest = 0;
-  for (const Index j : neighbours.of(i)) {
+Index ForceField::agentsBeyondLaw(const AgentStore& agents) const {
+  NeighbourList neighbours;
+  neighbours.build(agents, range(0));
+  const auto isBeyond = [&](Index i, Index j) {
     const double radii = agents.radius[i] + agents.radius[j];
     const double overlap = radii - (agents.position(i) - agents.position(j)).norm();
-    if (overlap > 0)
-      largest = std::max(largest, overlap / law_->validOverlap(agents.radius[i] * agents.radius[j] / radii));
+    return overlap > law_->validOverlap(agents.radius[i] * agents.radius[j] / radii);
+  };
+  Index count = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    count += agents.kind[i] != AgentKind::strut &&
+             std::ranges::any_of(neighbours.of(i), [&](Index j) { return isBeyond(i, j); });
   }
-  return largest;
+  return count;
 }
 
 }  // namespace restenosis

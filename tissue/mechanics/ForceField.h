@@ -55,9 +55,9 @@ class ForceField {
   /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].
   double energy(const AgentStore& agents, const BondTable& bonds) const;
 
-  /// Largest overlap of agent i with a neighbour over the overlap up to which the contact law is the
-  /// published one.
-  double overlapOverValid(const AgentStore& agents, const NeighbourList& neighbours, Index i) const;
+  /// Agents, but for struts, with an overlap past the contact law's validity: its continuation acts on them.
+  /// Makes its own neighbour list.
+  Index agentsBeyondLaw(const AgentStore& agents) const;
 
  private:
   MechanicsParameters parameters_;

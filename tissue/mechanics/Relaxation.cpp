@@ -81,16 +81,6 @@ std::optional<FixedScale> Relaxation::mixedScale() const {
   return FixedScale(referenceRadius_);
 }
 
-Index Relaxation::agentsBeyondLaw(const AgentStore& agents) const {
-  if (neighbours_.size() != agents.size())
-    throw std::logic_error("Relaxation::agentsBeyondLaw: these agents were not relaxed last");
-  Index count = 0;
-  for (Index i = 0; i < agents.size(); ++i) {
-    count += agents.kind[i] != AgentKind::strut && field_.overlapOverValid(agents, neighbours_, i) > 1;
-  }
-  return count;
-}
-
 RelaxationReport Relaxation::relax(AgentStore& agents, const BondTable& bonds,
                                    std::span<const Constraint* const> constraints) {
   standing_.reset();

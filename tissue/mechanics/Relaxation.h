@@ -65,10 +65,6 @@ class Relaxation {
   /// relaxation then.
   void forget();
 
-  /// Agents of the last relaxation, but for struts, with an overlap past the contact law's validity: its
-  /// continuation acts on them.
-  Index agentsBeyondLaw(const AgentStore& agents) const;
-
   double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
 
  private:

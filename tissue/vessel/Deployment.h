@@ -38,8 +38,6 @@ class Deployment {
 
   /// The stent where it now stands.
   const Stent& stent() const { return stent_; }
-  /// Agents pressed deeper than the contact law holds for, after a step.
-  Index agentsBeyondLaw() const { return relaxation_.agentsBeyondLaw(wall_.agents); }
   DeploymentStatistics statistics() const { return measureDeployment(wall_, stent_); }
 
  private:

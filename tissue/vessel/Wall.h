@@ -17,7 +17,8 @@ struct Wall {
   double lumenRadius = 0;    ///< before stenting [m]
   double wallThickness = 0;  ///< [m]
   double cellRadius = 0;     ///< mean radius of the wall's agents [m]
-  /// How far the last deployment step moved each agent: x, y, z by agent [m]; empty before the first.
+  /// How far the last deployment step moved each agent: x, y, z by agent [m]; empty before the first and once
+  /// deployment is over.
   std::vector<double> lastMove;
 
   template <class Archive>
