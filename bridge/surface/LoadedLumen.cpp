@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "LumenEnd.h"
+#include "LumenCap.h"
 #include "LumenRefusal.h"
 #include "LumenRims.h"
 #include "StlFile.h"
@@ -86,11 +86,11 @@ std::optional<SurfaceRegion> meaning(std::string name) {
 }
 
 /// Parts of an end that no edge joins.
-std::vector<LumenEnd> piecesOf(const LumenEnd& end, const SurfaceEdges& edges) {
+std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
   std::set<std::uint32_t> left(end.triangles.begin(), end.triangles.end());
-  std::vector<LumenEnd> pieces;
+  std::vector<LumenCap> pieces;
   while (!left.empty()) {
-    LumenEnd piece{{*left.begin()}, end.named};
+    LumenCap piece{{*left.begin()}, end.named};
     left.erase(left.begin());
     for (std::size_t n = 0; n < piece.triangles.size(); ++n)
       for (const std::uint32_t other : edges.beyond[piece.triangles[n]])
@@ -100,10 +100,10 @@ std::vector<LumenEnd> piecesOf(const LumenEnd& end, const SurfaceEdges& edges) {
   return pieces;
 }
 
-std::vector<LumenEnd> namedEnds(const StlSolids& file, const SurfaceEdges& edges) {
-  std::vector<LumenEnd> ends;
+std::vector<LumenCap> namedEnds(const StlSolids& file, const SurfaceEdges& edges) {
+  std::vector<LumenCap> ends;
   for (const SurfaceRegion which : {SurfaceRegion::inlet, SurfaceRegion::outlet}) {
-    LumenEnd end{{}, which};
+    LumenCap end{{}, which};
     for (std::uint32_t t = 0; t < file.solid.size(); ++t)
       if (meaning(file.names[file.solid[t]]) == which) end.triangles.push_back(t);
     if (end.triangles.empty()) continue;
@@ -121,7 +121,7 @@ std::vector<LumenEnd> namedEnds(const StlSolids& file, const SurfaceEdges& edges
 }
 
 /// Puts the vertices of an end exactly into its plane.
-void flatten(TriSurface& s, const LumenEnd& end) {
+void flatten(TriSurface& s, const LumenCap& end) {
   const auto vertices = end.vertices(s);
   const FittedPlane plane = fitPlane(s, vertices);
   if (plane.departure > lumenEndPlanarity * end.diameter(s))
@@ -132,10 +132,10 @@ void flatten(TriSurface& s, const LumenEnd& end) {
 }
 
 /// The two ends, or a refusal that says what was found.
-std::vector<LumenEnd> findEnds(TriSurface& s, std::vector<LumenEnd> ends, std::size_t rims) {
+std::vector<LumenCap> findEnds(TriSurface& s, std::vector<LumenCap> ends, std::size_t rims) {
   if (ends.size() < 2 || rims > 0) {
     std::vector<bool> taken(s.triangles.size(), false);
-    for (const LumenEnd& end : ends)
+    for (const LumenCap& end : ends)
       for (const auto t : end.triangles) taken[t] = true;
     for (auto& cap : planarCaps(s, surfaceEdges(s)))
       if (std::none_of(cap.begin(), cap.end(), [&](auto t) { return taken[t]; }))
@@ -156,7 +156,7 @@ std::vector<LumenEnd> findEnds(TriSurface& s, std::vector<LumenEnd> ends, std::s
 }
 
 /// Puts the inlet first.
-void sortEnds(const TriSurface& s, std::vector<LumenEnd>& ends) {
+void sortEnds(const TriSurface& s, std::vector<LumenCap>& ends) {
   bool swap = false;
   if (ends[0].named || ends[1].named) {
     swap = ends[0].named == SurfaceRegion::outlet || ends[1].named == SurfaceRegion::inlet;
@@ -169,7 +169,7 @@ void sortEnds(const TriSurface& s, std::vector<LumenEnd>& ends) {
   if (swap) std::swap(ends[0], ends[1]);
 }
 
-void requireSize(const TriSurface& s, const std::vector<LumenEnd>& ends) {
+void requireSize(const TriSurface& s, const std::vector<LumenCap>& ends) {
   const double a = ends[0].diameter(s), b = ends[1].diameter(s);
   const double ratio = std::min(a, b) / std::max(a, b);
   if (ratio * ratio < leastAreaRatio)
@@ -200,14 +200,14 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
     refuseLumen(fmt::format("it consists of {} separate pieces; a lumen is one", pieces));
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.opposed > 0) refuseLumen("it has only one side, like a Moebius strip");
-  std::vector<LumenEnd> ends = namedEnds(read, edges);
+  std::vector<LumenCap> ends = namedEnds(read, edges);
   const std::vector<Rim> rims = endRims(s, edges);
   for (const Rim& rim : rims) ends.push_back(closeRim(s, rim));
   turnOutwards(s);
 
   ends = findEnds(s, std::move(ends), rims.size());
   requireSize(s, ends);
-  for (const LumenEnd& end : ends) flatten(s, end);
+  for (const LumenCap& end : ends) flatten(s, end);
   sortEnds(s, ends);
   for (const auto t : ends[0].triangles) s.region[t] = SurfaceRegion::inlet;
   for (const auto t : ends[1].triangles) s.region[t] = SurfaceRegion::outlet;

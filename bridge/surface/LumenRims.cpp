@@ -16,8 +16,8 @@ namespace restenosis {
 namespace {
 
 /// Closes an open rim by a fan about a point.
-LumenEnd closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
-  LumenEnd end;
+LumenCap closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
+  LumenCap end;
   const auto middle = static_cast<std::uint32_t>(s.vertices.size());
   s.vertices.push_back(centre);
   for (std::size_t k = 0; k < rim.size(); ++k) {
@@ -30,7 +30,7 @@ LumenEnd closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
 
 /// Says where holes are, how wide, and which of them are in a cap.
 [[noreturn]] void refuseHoles(TriSurface s, const std::vector<Rim>& rims, const std::vector<bool>& isHole) {
-  std::vector<LumenEnd> closed;
+  std::vector<LumenCap> closed;
   for (const Rim& rim : rims) closed.push_back(closeByFan(s, rim, fitPlane(s, rim).centre));
   turnOutwards(s);
   const auto caps = planarCaps(s, surfaceEdges(s));
@@ -47,7 +47,7 @@ LumenEnd closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
     });
     if (cap == caps.end()) continue;
     anyInCap = true;
-    list += fmt::format(" in an end cap of {:.3g} mm", 1e3 * LumenEnd{*cap, std::nullopt}.diameter(s));
+    list += fmt::format(" in an end cap of {:.3g} mm", 1e3 * LumenCap{*cap, std::nullopt}.diameter(s));
   }
   refuseLumen(fmt::format(
       "it has {}{}{}. An open rim is an end only where the surface does not go on in its plane: close {}{}",
@@ -75,7 +75,7 @@ std::vector<Rim> endRims(const TriSurface& s, const SurfaceEdges& edges) {
   return rims;
 }
 
-LumenEnd closeRim(TriSurface& s, const Rim& rim) {
+LumenCap closeRim(TriSurface& s, const Rim& rim) {
   const FittedPlane plane = fitPlane(s, rim);
   double length = 0.0;
   for (std::size_t k = 0; k < rim.size(); ++k)

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "LumenEnd.h"
+#include "LumenCap.h"
 
 namespace restenosis {
 
@@ -16,7 +16,7 @@ std::vector<Rim> endRims(const TriSurface& surface, const SurfaceEdges& edges);
 
 /// Closes an open rim by a fan about its centre, all in the rim's plane, oriented as the surface. Throws
 /// std::runtime_error if the rim is not planar (`lumenEndPlanarity`).
-LumenEnd closeRim(TriSurface& surface, const Rim& rim);
+LumenCap closeRim(TriSurface& surface, const Rim& rim);
 
 /// Turns all normals of a closed surface outwards.
 void turnOutwards(TriSurface& surface);

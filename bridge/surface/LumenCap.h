@@ -17,7 +17,7 @@ namespace restenosis {
 constexpr double lumenEndPlanarity = 0.02;
 
 /// One end of a loaded lumen: its triangles, and which it is where a solid's name says so.
-struct LumenEnd {
+struct LumenCap {
   std::vector<std::uint32_t> triangles;
   std::optional<SurfaceRegion> named;
 
