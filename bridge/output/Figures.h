@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -16,8 +17,10 @@ class Figures {
   Figures(std::string interpreter, std::filesystem::path script, std::chrono::seconds limit);
 
   /// Returns what kept pictures from being drawn, in a sentence for the user that names the package to
-  /// install or the log to read (figures.log); empty when all were drawn.
-  std::string draw(const std::filesystem::path& results) const;
+  /// install or the log to read (figures.log); empty when all were drawn. Gives up once `stopRequested` is
+  /// true; null: never.
+  std::string draw(const std::filesystem::path& results,
+                   const std::atomic<bool>* stopRequested = nullptr) const;
 
  private:
   std::string interpreter_;

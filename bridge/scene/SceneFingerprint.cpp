@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
+#include "FileContent.h"
 #include "StateArchive.h"
 
 namespace restenosis {
 namespace {
-
-std::string contentDigest(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) throw std::runtime_error(fmt::format("{} cannot be read", file));
-  return digestOf(content);
-}
 
 class ValueCollector : public ParameterVisitor {
  public:
@@ -38,7 +30,7 @@ class ValueCollector : public ParameterVisitor {
   }
   void text(std::string& value, const ParameterInfo& info) override { add(info, value); }
   void file(std::string& value, const ParameterInfo& info) override {
-    add(info, fileContents_ && !value.empty() ? contentDigest(value) : value);
+    add(info, fileContents_ && !value.empty() ? digestOf(contentOf(value)) : value);
   }
 
  private:

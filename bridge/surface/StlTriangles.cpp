@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
 
+#include "FileContent.h"
 #include "StlText.h"
 
 namespace restenosis {
@@ -21,15 +21,6 @@ constexpr std::size_t bytesOfANormal = 12;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what) {
   throw std::runtime_error(fmt::format("{} {}", file.string(), what));
-}
-
-std::string contentOf(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
-  std::ifstream stream(file, std::ios::binary);
-  std::string content(std::filesystem::file_size(file), '\0');
-  if (!stream.read(content.data(), static_cast<std::streamsize>(content.size())))
-    refuse(file, "cannot be read");
-  return content;
 }
 
 bool isText(std::string_view content) {
@@ -67,6 +58,7 @@ StlTriangles parseBinary(std::string_view content, const std::filesystem::path& 
 }  // namespace
 
 StlTriangles readStlTriangles(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
   const std::string content = contentOf(file);
   if (content.empty()) refuse(file, "is empty: it must be an STL file");
   StlTriangles result = isText(content) ? parseStlText(content, file.string()) : parseBinary(content, file);

@@ -69,6 +69,15 @@ TEST(Figures, NamesWhatIsMissing) {
   EXPECT_NE(problem.find("figures.log"), std::string::npos) << problem;
 }
 
+TEST(Figures, AreGivenUpWhenTheUserAsks) {
+  TemporaryFolder folder;
+  writeText(folder / "hang.py", "import time\ntime.sleep(60)\n");
+  const std::atomic<bool> stop{true};
+  EXPECT_NE(
+      Figures("/usr/bin/python3", folder / "hang.py", 60s).draw(folder.path(), &stop).find("interrupted"),
+      std::string::npos);
+}
+
 TEST(Figures, GivesUpOnAProcessThatHangs) {
   TemporaryFolder folder;
   writeText(folder / "hang.py", "import time\ntime.sleep(60)\n");

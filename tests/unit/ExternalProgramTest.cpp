@@ -99,6 +99,24 @@ TEST(ExternalProgram, endsByItselfWhenNotAskedTo) {
   EXPECT_FALSE(exit.stopped);
 }
 
+TEST(ExternalProgram, endsWithItsChildrenWhenItTakesTooLong) {
+  const TemporaryFolder scratch;
+  const auto log = scratch.path() / "log";
+  const auto exit = ExternalProgram("sh")
+                        .stopAfter(std::chrono::seconds(1))
+                        .run({"-c", "sleep 30 & echo $!; wait"}, scratch.path(), log);
+  EXPECT_TRUE(exit.late);
+  EXPECT_FALSE(exit.stopped);
+  EXPECT_LT(exit.seconds, 20.0);
+  EXPECT_TRUE(hasEnded(std::stoi(readText(log))));
+}
+
+TEST(ExternalProgram, isFoundWhereItsNameSays) {
+  const TemporaryFolder scratch;
+  EXPECT_EQ(ExternalProgram("/bin/sh").run({"-c", "exit 4"}, scratch.path(), scratch / "log").status, 4);
+  EXPECT_THROW(ExternalProgram("/nowhere/sh"), ProgramMissing);
+}
+
 TEST(ExternalProgram, diesWithItsParent) {
   const TemporaryFolder scratch;
   const auto log = scratch.path() / "log";

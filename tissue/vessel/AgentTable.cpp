@@ -68,6 +68,7 @@ class TableReader {
         table.lines.push_back(line_);
       }
     }
+    if (stream_.bad()) fail("cannot be read any further");
     if (table.agents.size() == 0) throw AgentTableError(fmt::format("{}: holds no agents", file_.string()));
     return table;
   }

@@ -24,14 +24,23 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds stopLatency{5};
 constexpr std::chrono::seconds gracePeriod{5};
 
-std::filesystem::path findOnPath(const std::string& program) {
+bool namesItsPlace(const std::string& program) { return program.find('/') != std::string::npos; }
+
+bool canBeStarted(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0;
+}
+
+std::filesystem::path find(const std::string& program) {
+  if (namesItsPlace(program)) {
+    if (canBeStarted(program)) return std::filesystem::absolute(program);
+    throw ProgramMissing(program);
+  }
   const char* variable = std::getenv("PATH");
   std::istringstream folders(variable ? variable : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
     const auto candidate = std::filesystem::path(folder.empty() ? "." : folder) / program;
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0)
-      return std::filesystem::absolute(candidate);
+    if (canBeStarted(candidate)) return std::filesystem::absolute(candidate);
   }
   throw ProgramMissing(program);
 }
@@ -71,9 +80,10 @@ class Child {
     }
     return status_;
   }
-  /// The same, ending the child once `requested` is true; says whether it had to.
-  bool waitOrStop(const std::atomic<bool>& requested) {
-    while (!requested) {
+  /// The same, ending the child once enough() is true; says whether it had to.
+  template <class Enough>
+  bool waitOrStop(Enough&& enough) {
+    while (!enough()) {
       if (ended(WNOHANG)) return false;
       std::this_thread::sleep_for(stopLatency);
     }
@@ -149,7 +159,9 @@ std::vector<std::string> mergedEnvironment(const std::map<std::string, std::stri
 }  // namespace
 
 ProgramMissing::ProgramMissing(const std::string& programName)
-    : std::runtime_error(fmt::format("the program '{}' is not on the PATH", programName)),
+    : std::runtime_error(namesItsPlace(programName)
+                             ? fmt::format("there is no program {}", programName)
+                             : fmt::format("the program '{}' is not on the PATH", programName)),
       program(programName) {}
 
 bool ProgramExit::interrupted() const {
@@ -161,7 +173,7 @@ std::string ProgramExit::describe() const {
                 : fmt::format("exit status {}", status);
 }
 
-ExternalProgram::ExternalProgram(const std::string& program) : path_(findOnPath(program)) {}
+ExternalProgram::ExternalProgram(const std::string& program) : path_(find(program)) {}
 
 ExternalProgram& ExternalProgram::setEnvironment(const std::string& variable, const std::string& value) {
   environment_[variable] = value;
@@ -170,6 +182,11 @@ ExternalProgram& ExternalProgram::setEnvironment(const std::string& variable, co
 
 ExternalProgram& ExternalProgram::stopWhen(const std::atomic<bool>* requested) {
   stopRequested_ = requested;
+  return *this;
+}
+
+ExternalProgram& ExternalProgram::stopAfter(std::chrono::seconds limit) {
+  limit_ = limit;
   return *this;
 }
 
@@ -211,10 +228,14 @@ ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
         fmt::format("cannot start {} in {}: {}", path_.string(), folder.string(), std::strerror(error)));
 
   ProgramExit result;
-  if (stopRequested_)
-    result.stopped = child.waitOrStop(*stopRequested_);
-  else
+  const auto isAsked = [this] { return stopRequested_ != nullptr && *stopRequested_; };
+  const auto isLate = [&] { return limit_ && Clock::now() - start > *limit_; };
+  if (!stopRequested_ && !limit_) {
     child.wait();
+  } else if (child.waitOrStop([&] { return isAsked() || isLate(); })) {
+    result.stopped = isAsked();
+    result.late = !result.stopped;
+  }
   const int status = child.status();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (WIFSIGNALED(status))

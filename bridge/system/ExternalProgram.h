@@ -1,15 +1,17 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace restenosis {
 
-/// A program that is not on the PATH.
+/// A program that cannot be found.
 struct ProgramMissing : std::runtime_error {
   explicit ProgramMissing(const std::string& programName);
   std::string program;
@@ -20,6 +22,7 @@ struct ProgramExit {
   int status = 0;        ///< exit status; meaningless when a signal ended the program
   int signal = 0;        ///< the signal that ended it, 0 for none
   bool stopped = false;  ///< it was asked to end by ExternalProgram::stopWhen
+  bool late = false;     ///< it was ended by ExternalProgram::stopAfter
   double seconds = 0.0;  ///< wall clock
   bool succeeded() const { return signal == 0 && status == 0; }
   /// The user or the system asked for the end (stopWhen, or SIGINT, SIGTERM, SIGHUP to the program itself),
@@ -34,7 +37,7 @@ struct ProgramExit {
 /// alone, which then decides what becomes of the other: see stopWhen.
 class ExternalProgram {
  public:
-  /// Finds the program on the PATH. Throws ProgramMissing.
+  /// Finds the program on the PATH, or where it says if its name has a slash. Throws ProgramMissing.
   explicit ExternalProgram(const std::string& program);
 
   /// Adds or replaces a variable of the program's environment, the rest of which is this program's.
@@ -42,6 +45,9 @@ class ExternalProgram {
 
   /// Ends the program, with SIGTERM and later SIGKILL, once `requested` is true. Null: never.
   ExternalProgram& stopWhen(const std::atomic<bool>* requested);
+
+  /// Ends it in the same way when it has run for so long.
+  ExternalProgram& stopAfter(std::chrono::seconds limit);
 
   /// Runs it in `folder`, standard output and error going to `log` (replaced), standard input empty, and
   /// waits for its end. Throws std::runtime_error where it cannot be started.
@@ -54,6 +60,7 @@ class ExternalProgram {
   std::filesystem::path path_;
   std::map<std::string, std::string> environment_;
   const std::atomic<bool>* stopRequested_ = nullptr;
+  std::optional<std::chrono::seconds> limit_;
 };
 
 }  // namespace restenosis
