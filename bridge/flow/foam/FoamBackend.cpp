@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 
+#include "AttemptLogs.h"
 #include "FlowBackendNames.h"
 #include "FoamLog.h"
 #include "FoamRun.h"
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Folders of a case that keep the logs of an attempt given up.
-constexpr const char *movedMesh = "movedMesh", *firstAttempt = "firstAttempt";
 /// Cells by which the wall overshoots the planes of the ends.
 constexpr double overshootCells = 2.0;
 /// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
@@ -59,13 +58,13 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   }
   Attempt newMesh{.former = former && settings_.warmStart ? &*former : nullptr};
   if (remeshing_ == Remeshing::onDemand && former) {
-    newMesh.keepLogsIn = movedMesh;
+    newMesh.keepLogsIn = movedMeshLogs;
     try {
       return attempt(folder, lumen, shape, conditions, {.mesh = Attempt::Mesh::moved, .former = &*former});
     } catch (const MorphRefused& refused) {
       reason = refused.reason, details = refused.what();
     } catch (const FoamStepFailed& failed) {
-      reason = "the moved mesh failed a check", details = failed.withLogIn(folder / movedMesh);
+      reason = "the moved mesh failed a check", details = failed.withLogIn(folder / movedMeshLogs);
     }
   }
   FlowSolution solution = solveWithNewMesh(folder, lumen, shape, conditions, newMesh);
@@ -84,16 +83,16 @@ FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurf
     return attempt(folder, lumen, shape, conditions, how);
   } catch (const FoamStepFailed& first) {
     try {
-      FlowSolution solution =
-          attempt(folder, lumen, shape, conditions, {.effort = Effort::robust, .keepLogsIn = firstAttempt});
+      FlowSolution solution = attempt(folder, lumen, shape, conditions,
+                                      {.effort = Effort::robust, .keepLogsIn = firstAttemptLogs});
       solution.remarks.push_back(fmt::format(
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
-          first.withLogIn(folder / firstAttempt)));
+          first.withLogIn(folder / firstAttemptLogs)));
       return solution;
     } catch (const FlowFailed& second) {
       throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
-                                   second.what(), first.withLogIn(folder / firstAttempt)),
-                       second.log.empty() ? folder / firstAttempt / first.log.filename() : second.log);
+                                   second.what(), first.withLogIn(folder / firstAttemptLogs)),
+                       second.log.empty() ? folder / firstAttemptLogs / first.log.filename() : second.log);
     }
   }
 }
@@ -109,14 +108,13 @@ std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const
 
 void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
                           const FlowConditions& conditions, const Attempt& how) const {
-  std::vector<std::pair<fs::path, std::string>> kept;
-  if (!how.keepLogsIn.empty())
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().filename().string().starts_with("log."))
-        kept.emplace_back(entry.path().filename(), foamLog::read(entry.path()));
+  std::map<fs::path, std::string> logs;
+  if (!how.keepLogsIn.empty()) logs = attemptLogs(folder, how.keepLogsIn);
   copyFoamTemplate(foamTemplate(), folder);
-  if (!kept.empty()) fs::create_directories(folder / how.keepLogsIn);
-  for (const auto& [name, text] : kept) writeText(folder / how.keepLogsIn / name, text);
+  for (const auto& [file, text] : logs) {
+    fs::create_directories((folder / file).parent_path());
+    writeText(folder / file, text);
+  }
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));

@@ -36,6 +36,7 @@ struct FoamSettings {
   double maximumCells = 6e6;          ///< estimate above which meshing is refused
   double minimumCellsAcross = 8;      ///< fewest core cells across the inlet
 
+  bool operator==(const FoamSettings&) const = default;
   /// Size of the cells at the wall [m].
   double wallCell() const;
   void describe(ParameterVisitor& p);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace restenosis {
+
+/// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, and the first
+/// with a new one.
+constexpr std::string_view movedMeshLogs = "movedMesh", firstAttemptLogs = "firstAttempt";
+
+/// What a case's folder holds of the attempts to solve it so far, by the file's place in it: the logs of the
+/// last attempt, which are to be in the folder `into` from now on, and those kept of others.
+std::map<std::filesystem::path, std::string> attemptLogs(const std::filesystem::path& caseFolder,
+                                                         std::string_view into);
+
+}  // namespace restenosis
