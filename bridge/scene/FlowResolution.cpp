@@ -54,14 +54,14 @@ std::optional<ResolutionProblem> resolutionProblem(const Scene& scene, const Uni
   const Tube tube{scene.vessel.lumenDiameter, scene.vessel.length, 2 * scene.flow->straightEnds};
   const double square = tube.diameter * tube.diameter;
   if (scene.flow->backend == flowBackendNames::lbm) {
-    const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
+    const LbmSettings lbm = scene.lbmSettings();
     const double box = square * (tube.vesselLength + tube.straightEnds);
     return problemOf({scene.lbm.has_value(), LbmSettings::section, "dx", "maximumNodes", "nodes", lbm.dx,
                       LbmSettings::leastNodesAcross, box / std::pow(lbm.dx, 3), lbm.maximumNodes},
                      tube, units);
   }
   if (scene.flow->backend == flowBackendNames::foam) {
-    const FoamSettings foam = scene.foam ? *scene.foam : FoamSettings::forFidelity(scene.scene.fidelity);
+    const FoamSettings foam = scene.foamSettings();
     // The core only, as narrow as a stenosis all along the vessel; what is finer at the wall comes on top.
     const double length = tube.vesselLength * std::pow(1 - scene.vessel.stenosis, 2) + tube.straightEnds;
     const double core = std::numbers::pi / 4 * square * length;

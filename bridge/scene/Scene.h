@@ -39,6 +39,9 @@ struct Scene {
 
   /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
   bool hasTissue() const { return mechanics.has_value(); }
+  /// What the backends are given: the sections, or what `scene.fidelity` stands for.
+  FoamSettings foamSettings() const { return foam ? *foam : FoamSettings::forFidelity(scene.fidelity); }
+  LbmSettings lbmSettings() const { return lbm ? *lbm : LbmSettings::forFidelity(scene.fidelity); }
 
   /// Calls f(section, present) for every section in the order of the contract; `section` is the parameters,
   /// of a section that is absent as well (with its defaults).

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
 
+#include "FileContent.h"
 #include "LumenSurfaceChecks.h"
 #include "NearestName.h"
 #include "SceneChecks.h"
@@ -84,6 +83,10 @@ void resolve(Scene& scene, const SceneDocument& document) {
     if (!given->values.contains("bufferCells")) scene.foam->bufferCells = level.bufferCells;
     if (!given->values.contains("snapIterations")) scene.foam->snapIterations = level.snapIterations;
   }
+  if (const GivenSection* given = document.find(LbmSettings::section)) {
+    const LbmSettings level = LbmSettings::forFidelity(scene.scene.fidelity);
+    if (!given->values.contains("dx")) scene.lbm->dx = level.dx;
+  }
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
@@ -113,9 +116,12 @@ Scene SceneReader::readFile(const std::filesystem::path& file,
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) refuse(file, "no such scene file" + similarFile(file));
   if (std::filesystem::is_directory(status)) refuse(file, "is a folder; a scene file (*.toml) is expected");
-  std::ifstream stream(file, std::ios::binary);
-  const std::string toml{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) refuse(file, "cannot be read");
+  std::string toml;
+  try {
+    toml = contentOf(file);
+  } catch (const std::runtime_error&) {
+    refuse(file, "cannot be read");
+  }
   return readText(toml, file, overrides);
 }
 

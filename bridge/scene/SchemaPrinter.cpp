@@ -59,13 +59,21 @@ class RowCollector : public ParameterVisitor {
   std::vector<Row> rows_;
 };
 
-/// "required", "how, not what: defaults throughout", or nothing, for the heading of a section.
+constexpr std::string_view markdownHead = R"(# Every key of a scene
+
+*source* says where a default comes from: T6, ISR3D, ISR2D or a paper (see [sources](../model/README.md#sources)), *assumed*, or a page of [the model](../model/README.md). A default of `-` is none.
+
+)";
+
+/// Whether a section is required and what its absence means, for its heading.
 std::string_view presence(std::string_view section) {
   if (section == SceneParameters::section || section == VesselParameters::section) return "required";
   if (section == CouplingParameters::section || section == OutputParameters::section) {
     return "may be left out: its defaults then hold";
   }
-  if (section == LbmSettings::section) return "may be left out";
+  if (section == FoamSettings::section || section == LbmSettings::section) {
+    return "may be left out: scene.fidelity then decides";
+  }
   return "left out: not modelled";
 }
 
@@ -118,12 +126,13 @@ std::string schemaText(const Units& units) {
 }
 
 std::string schemaMarkdown(const Units& units) {
-  return printed(units, [](std::string_view section, std::string_view summary, const std::vector<Row>& rows) {
-    std::string text = fmt::format("## [{}]\n\n{} ({}).\n\n", section, summary, presence(section));
-    text += markdownRow(columnNames) + "|---|---|---|---|---|---|---|\n";
-    for (const auto& row : rows) text += markdownRow(row);
-    return text + '\n';
-  });
+  return std::string(markdownHead) +
+         printed(units, [](std::string_view section, std::string_view summary, const std::vector<Row>& rows) {
+           std::string text = fmt::format("## [{}]\n\n{} ({}).\n\n", section, summary, presence(section));
+           text += markdownRow(columnNames) + "|---|---|---|---|---|---|---|\n";
+           for (const auto& row : rows) text += markdownRow(row);
+           return text + '\n';
+         });
 }
 
 }  // namespace restenosis

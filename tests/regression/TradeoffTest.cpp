@@ -1,3 +1,5 @@
+#include "StlFile.h"
+#include "SweptTube.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -56,6 +58,13 @@ TEST_F(Tradeoff, RunsWhatIsAskedForOnceAndGoesOn) {
   ASSERT_EXIT_STATUS(run(command), 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "out/runs/mechanics.tolerance=0.02/summary.json"));
   EXPECT_EQ(std::filesystem::last_write_time(folder / "out/runs/scene.seed=2/summary.json"), kept);
+
+  // A file that the scene names was another then, say
+  const auto summaryFile = folder / "out/runs/scene.seed=2/summary.json";
+  const std::string fingerprint = summary("out/runs/scene.seed=2")["sceneFingerprint"];
+  writeText(summaryFile, with(readText(summaryFile), fingerprint, "another"));
+  ASSERT_EXIT_STATUS(run(command), 0);
+  EXPECT_EQ(summary("out/runs/scene.seed=2")["sceneFingerprint"], fingerprint);
 }
 
 TEST_F(Tradeoff, MeasuresTheFlowAgainstWhatIsKnown) {
@@ -69,19 +78,44 @@ lumenDiameter = "0.6 mm"
 cellSize = "60 um"
 wallLevel = 1
 [lbm]
-dx = "40 um"
+collision = "trt"
 [output]
 pictures = false
 )");
   ASSERT_EXIT_STATUS(run({"tradeoff", tube, "-o", "out"}), 0);
   const auto rows = lines("out/tradeoff.csv");
-  ASSERT_EQ(rows.size(), 7u) << "three fidelities of two backends";
+  ASSERT_EQ(rows.size(), 6u) << "with these cells, standard is what reference is; three lattices";
   EXPECT_TRUE(rows[1].starts_with("scene.fidelity (foam),reference,")) << rows[1];
-  EXPECT_TRUE(rows[6].starts_with("scene.fidelity (lbm),draft,")) << rows[6];
+  EXPECT_TRUE(rows[2].starts_with("scene.fidelity (foam),draft,")) << rows[2];
+  EXPECT_TRUE(rows[5].starts_with("scene.fidelity (lbm),draft,")) << rows[5];
   for (std::size_t n = 1; n < rows.size(); ++n) {
     EXPECT_TRUE(rows[n].ends_with("wall shear stress (L2) against Poiseuille's law")) << rows[n];
     EXPECT_GT(std::stod(field(rows[n], 2)), 0) << rows[n];
     EXPECT_LT(std::stod(field(rows[n], 3)), 0.1) << rows[n];
+  }
+  EXPECT_NE(field(rows[3], 3), field(rows[5], 3)) << "[lbm] without dx leaves the spacing to the fidelity";
+
+  ASSERT_EXIT_STATUS(run({"tradeoff", tube, "-o", "spacing", "--set", "lbm.dx=40 um"}), 0);
+  const auto given = lines("spacing/tradeoff.csv");
+  ASSERT_EQ(given.size(), 4u) << "one spacing is one lattice";
+  EXPECT_TRUE(given[3].starts_with("scene.fidelity (lbm),reference,")) << given[3];
+}
+
+TEST_F(Tradeoff, RefusesALumenThatTheLatticeCannotSolveIn) {
+  const SurfaceRegion open[] = {SurfaceRegion::wall};
+  writeStl(folder / "bent.stl", support::bentTube(0.5e-3, 0.6e-3, 1e-3, 0.4e-3), 1e-3, open);
+  const std::string bent = scene("bent", R"([scene]
+duration = "1 h"
+[vessel]
+lumenSurface = "bent.stl"
+[flow]
+)");
+  for (const char* command : {"tradeoff", "compare"}) {
+    const ProcessEnd end = run({command, bent, "-o", "out"});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find("bent.stl: only a lumen between two parallel planes"), std::string::npos)
+        << end.err;
+    EXPECT_FALSE(exists("out"));
   }
 }
 

@@ -23,6 +23,12 @@ TEST(SchemaPrinter, ListsEverySectionWithUnitsBoundsAndSources) {
       std::string::npos);
   EXPECT_NE(markdown.find("| length | quantity | mm | required | larger than 0 mm, at most 1000 mm | T6 |"),
             std::string::npos);
+  const auto says = [&](std::string_view summary, std::string_view presence) {
+    return markdown.find(fmt::format("{} ({}).", summary, presence)) != std::string::npos;
+  };
+  EXPECT_TRUE(says(StentParameters::summary, "left out: not modelled"));
+  EXPECT_TRUE(says(FoamSettings::summary, "may be left out: scene.fidelity then decides"));
+  EXPECT_TRUE(says(LbmSettings::summary, "may be left out: scene.fidelity then decides"));
   EXPECT_NE(text.find("allowed: flowRate, pressureGradient"), std::string::npos);
 }
 

@@ -12,7 +12,7 @@ namespace restenosis {
 struct LbmSettings {
   static constexpr std::string_view section = "lbm";
   static constexpr std::string_view summary =
-      "Settings of the lattice Boltzmann backend; without the section, the spacing follows scene.fidelity";
+      "Settings of the lattice Boltzmann backend; dx follows scene.fidelity where it is not given";
   /// Fewest nodes across the inlet.
   static constexpr double leastNodesAcross = 8;
 
@@ -28,6 +28,7 @@ struct LbmSettings {
   std::int64_t maximumSteps = 200000;  ///< on the finest lattice
   double maximumNodes = 1e8;           ///< in the box around the lumen
 
+  bool operator==(const LbmSettings&) const = default;
   void describe(ParameterVisitor& p);
   /// The settings of a fidelity level: draft (30 um), standard (20 um) or reference (15 um). Throws
   /// std::invalid_argument for others.
