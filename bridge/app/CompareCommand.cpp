@@ -98,7 +98,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   const ComparedLumen lumen = loaded ? std::move(*loaded) : comparedLumen(scene, arguments, folder, threads);
   const ProbeLines lines = probeLines(lumen.surface);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
-  const LbmSettings lbm = scene.lbm ? *scene.lbm : LbmSettings::forFidelity(scene.scene.fidelity);
+  const LbmSettings lbm = scene.lbmSettings();
   const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
                                    .foam = scene.foam,
                                    .lbm = lbm,
@@ -119,7 +119,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, lumen.day);
   writeComparedVelocities(folder / "compareVelocity.csv", result, reference, other);
   if (scene.output.pictures) {
-    const std::string obstacle = Figures().draw(folder);
+    const std::string obstacle = Figures().draw(folder, &stopOnSignals());
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
   print(result, reference, other);
@@ -162,16 +162,13 @@ int tryCompare(const CompareArguments& arguments) {
     std::cerr << "--day chooses a lumen of a finished run: name its results folder instead of a scene\n";
     return ExitStatus::wrongInput;
   }
-  std::optional<ComparedLumen> loaded;
-  if (!scene->vessel.lumenSurface.empty()) try {
-      loaded = loadedLumen(*scene);
-    } catch (const std::runtime_error& error) {
-      std::cerr << error.what() << '\n';
-      return ExitStatus::wrongInput;
-    }
   return exitStatusOf(
-      [&] { return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded)); },
-      "interrupted");
+      [&] {
+        std::optional<ComparedLumen> loaded;
+        if (!scene->vessel.lumenSurface.empty()) loaded = loadedLumen(*scene);
+        return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded));
+      },
+      {.interrupted = "interrupted"});
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ ComparedLumen loadedLumen(const Scene& scene) {
   const TriSurface lumen = loadLumen(scene.vessel);
   const auto frame = frameAlongZ(lumen);
   if (!frame)
-    throw std::runtime_error(
+    throw LumenRefused(
         fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
                     scene.vessel.lumenSurface));
   return {movedAlongZ(lumen, *frame), 0.0};

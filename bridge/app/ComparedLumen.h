@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "Scene.h"
@@ -16,12 +17,17 @@ struct ComparedLumen {
   double day = 0.0;
 };
 
+/// A loaded lumen that cannot be compared: the file is named, and what is needed.
+struct LumenRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The lumen of a scene just after deployment, before anything grows: the scene is run for one step, without
 /// flow and growth, with `folder` for its results. Throws what Run throws.
 ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
                             const std::atomic<bool>* stopRequested);
 
-/// The lumen that a scene loads from a file, laid along z. Throws std::runtime_error where it cannot be: the
+/// The lumen that a scene loads from a file, laid along z. Throws LumenRefused where it cannot be: the
 /// lattice Boltzmann method needs it so.
 ComparedLumen loadedLumen(const Scene& scene);
 

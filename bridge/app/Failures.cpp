@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "Checkpoint.h"
+#include "ComparedLumen.h"
 #include "ExitStatus.h"
 #include "FlowBackend.h"
 #include "ResultsFolder.h"
@@ -13,20 +14,27 @@
 
 namespace restenosis {
 
-int exitStatusOf(const std::function<int()>& work, std::string_view interrupted) {
+int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
   try {
     return work();
   } catch (const FolderRefused& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
-  } catch (const CheckpointRefused& error) {
+  } catch (const LumenRefused& error) {
     std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const CheckpointRefused& error) {
+    std::cerr << error.what();
+    if (error.reason == CheckpointRefused::Reason::foreign && advice.foreignCheckpoint)
+      std::cerr << "; " << advice.foreignCheckpoint();
+    std::cerr << '\n';
     return ExitStatus::wrongInput;
   } catch (const FlowFailed& error) {
     std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
     if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
+    if (!advice.flowFailed.empty()) std::cerr << advice.flowFailed << '\n';
   } catch (const Interrupted&) {
-    std::cerr << fmt::format("\n{}\n", interrupted);
+    std::cerr << fmt::format("\n{}\n", advice.interrupted);
   } catch (const std::exception& error) {
     std::cerr << fmt::format("\n{}\n", error.what());
   }

@@ -1,13 +1,20 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace restenosis {
 
+/// What a command adds to the reason of its end.
+struct Advice {
+  std::string_view interrupted;                         ///< all there is to say when the user has ended it
+  std::string_view flowFailed = {};                     ///< how to go on
+  std::function<std::string()> foreignCheckpoint = {};  ///< what sets the checkpoint's scene apart
+};
+
 /// Does a command's work and returns its exit status. What ends it by an exception is told on standard error:
-/// input that was refused is exit status 2, anything else 1. `interrupted`: what to say when the user has
-/// ended it.
-int exitStatusOf(const std::function<int()>& work, std::string_view interrupted);
+/// input that was refused is exit status 2, anything else 1.
+int exitStatusOf(const std::function<int()>& work, const Advice& advice);
 
 }  // namespace restenosis

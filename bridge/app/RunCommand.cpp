@@ -9,6 +9,7 @@
 #include "AtomicFile.h"
 #include "Checkpoint.h"
 #include "ExitStatus.h"
+#include "Failures.h"
 #include "Figures.h"
 #include "FlowBackendNames.h"
 #include "FlowForecast.h"
@@ -107,7 +108,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   // The pictures unroll the lumen about its axis, which a loaded one need not have
   const bool pictures = scene.output.pictures && scene.vessel.lumenSurface.empty();
   if (pictures) {
-    const std::string obstacle = Figures().draw(folder.path());
+    const std::string obstacle = Figures().draw(folder.path(), options.stopRequested);
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
   printPoiseuille(run);
@@ -118,25 +119,11 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
 int tryRun(const RunArguments& arguments) {
   const auto scene = arguments.scene.read();
   if (!scene) return ExitStatus::wrongInput;
-  try {
-    return runScene(*scene, arguments);
-  } catch (const FolderRefused& error) {
-    std::cerr << error.what() << '\n';
-    return ExitStatus::wrongInput;
-  } catch (const CheckpointRefused& error) {
-    std::cerr << error.what();
-    if (error.reason == CheckpointRefused::Reason::foreign)
-      std::cerr << "; " << differencesFrom(resultsPath(*scene, arguments), *scene);
-    std::cerr << '\n';
-    return ExitStatus::wrongInput;
-  } catch (const FlowFailed& error) {
-    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
-    if (!error.log.empty()) std::cerr << fmt::format("Read {}. ", error.log.string());
-    std::cerr << "Results so far are kept; go on with --resume.\n";
-  } catch (const std::exception& error) {
-    std::cerr << fmt::format("\n{}\n", error.what());
-  }
-  return ExitStatus::failed;
+  return exitStatusOf(
+      [&] { return runScene(*scene, arguments); },
+      {.interrupted = "interrupted; go on with --resume",
+       .flowFailed = "Results so far are kept; go on with --resume.",
+       .foreignCheckpoint = [&] { return differencesFrom(resultsPath(*scene, arguments), *scene); }});
 }
 
 }  // namespace

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "AtomicFile.h"
+#include "FileContent.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
+#include "SceneFingerprint.h"
 #include "SceneWriter.h"
 #include "Units.h"
+#include "Version.h"
 
 namespace restenosis {
 namespace {
@@ -28,16 +30,19 @@ struct Outcome {
   double day = 0;
   double thickness = 0;  ///< of the neointima [um]
   double area = 0;       ///< smallest of the lumen [mm^2]
+  std::string version, fingerprint;
   bool ended() const { return status == "finished" || status == "occluded"; }
+  /// Whether this program would find the same for the scene: its files may have changed, or the program.
+  bool holdsFor(const Scene& scene) const {
+    return ended() && version == restenosis::version() && fingerprint == sceneFingerprint(scene);
+  }
 };
 
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+/// Empty where there is no such file.
+std::string contentIfThere(const fs::path& file) { return fs::exists(file) ? contentOf(file) : ""; }
 
 Outcome outcomeIn(const fs::path& folder) {
-  const auto summary = nlohmann::json::parse(contentOf(folder / "summary.json"), nullptr, false);
+  const auto summary = nlohmann::json::parse(contentIfThere(folder / "summary.json"), nullptr, false);
   if (summary.is_discarded()) return {};
   const auto final = summary.at("final");
   const auto number = [&final](const char* name) {
@@ -47,14 +52,17 @@ Outcome outcomeIn(const fs::path& folder) {
           .seconds = summary.at("totalSeconds"),
           .day = number("day"),
           .thickness = number("neointimaThickness_um"),
-          .area = number("minLumenArea_mm2")};
+          .area = number("minLumenArea_mm2"),
+          .version = summary.at("version"),
+          .fingerprint = summary.value("sceneFingerprint", "")};
 }
 
 Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& text,
                const TradeoffOptions& options) {
-  const bool begun = contentOf(folder / "scene.toml") == text;
-  if (const Outcome former = outcomeIn(folder); begun && former.ended()) return former;
-  const bool goesOn = begun && fs::exists(folder / "checkpoint");
+  const bool begun = contentIfThere(folder / "scene.toml") == text;
+  const Outcome former = outcomeIn(folder);
+  if (begun && former.holdsFor(scene)) return former;
+  const bool goesOn = begun && !former.ended() && fs::exists(folder / "checkpoint");
   const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   Run run(scene, results, progress,

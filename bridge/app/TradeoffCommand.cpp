@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "ComparedLumen.h"
 #include "ExitStatus.h"
 #include "Failures.h"
 #include "Figures.h"
@@ -63,7 +64,7 @@ int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path
   rows.insert(rows.end(), runs.begin(), runs.end());
   writeTradeoffCsv(folder / "tradeoff.csv", rows);
   if (scene.output.pictures) {
-    const std::string obstacle = Figures().draw(folder);
+    const std::string obstacle = Figures().draw(folder, &stopOnSignals());
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
   std::cout << '\n' << tradeoffTable(rows);
@@ -90,8 +91,13 @@ int trySweep(const TradeoffArguments& arguments) {
   if (!scenes) return ExitStatus::wrongInput;
   const fs::path folder = arguments.folder.empty() ? fs::path("results") / (scene->name + "-tradeoff")
                                                    : fs::path(arguments.folder);
-  return exitStatusOf([&] { return sweep(*scene, arguments, folder, settings, *scenes); },
-                      "interrupted; the same command goes on with the runs");
+  return exitStatusOf(
+      [&] {
+        // Refused before anything is written
+        if (!scene->vessel.lumenSurface.empty()) loadedLumen(*scene);
+        return sweep(*scene, arguments, folder, settings, *scenes);
+      },
+      {.interrupted = "interrupted; the same command goes on with the runs"});
 }
 
 }  // namespace

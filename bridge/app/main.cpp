@@ -36,6 +36,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // --help and --version end here as well, with status 0.
     return app.exit(error) == 0 ? ExitStatus::done : ExitStatus::wrongInput;
+  } catch (const std::exception& error) {
+    // Of what a command does before or beside its work, as reading the tables of units
+    std::cerr << error.what() << '\n';
+    return ExitStatus::failed;
   }
   return status;
 }

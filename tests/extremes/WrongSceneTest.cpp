@@ -130,6 +130,17 @@ TEST_F(WrongScene, TablesThatDoNotFitTheVesselAreNamedWithTheirLine) {
   }
 }
 
+TEST_F(WrongScene, UnitsThatCannotBeReadAreNamed) {
+  const std::string tiny = scene("tiny", tinyScene);
+  const std::vector<std::vector<std::string>> commands = {{"check", tiny}, {"run", tiny}, {"schema"}};
+  for (const auto& arguments : commands) {
+    const ProcessEnd end = run(arguments, {{"UDUNITS2_XML_PATH", "/nowhere.xml"}});
+    EXPECT_EXIT_STATUS(end, 1);
+    EXPECT_NE(end.err.find("units"), std::string::npos) << end.err;
+    EXPECT_FALSE(exists("results"));
+  }
+}
+
 TEST_F(WrongScene, EverySlipIsReportedAtOnce) {
   const std::string file =
       scene("slips", with(with(tinyScene, "seed = 1", "sead = 1"), "\"18 um\"", "\"18 s\""));
