@@ -142,7 +142,11 @@ ResultsFolder::~ResultsFolder() {
 }
 
 fs::path ResultsFolder::flowCase(double time) const {
-  return folder_ / "flow" / fmt::format("{:.6g}", time / 86400.0);
+  // 1e-5 d tell any two steps of a second apart
+  std::string day = fmt::format("{:.5f}", time / 86400.0);
+  day.erase(day.find_last_not_of('0') + 1);
+  if (day.back() == '.') day.pop_back();
+  return folder_ / "flow" / day;
 }
 
 }  // namespace restenosis

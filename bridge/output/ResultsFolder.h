@@ -45,7 +45,7 @@ class ResultsFolder {
   std::filesystem::path summary() const { return folder_ / "summary.json"; }
   std::filesystem::path checkpoint() const { return folder_ / "checkpoint"; }
   /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals
-  /// as hours need ("flow/3", "flow/3.125").
+  /// as it needs, five at most ("flow/3", "flow/3.125"): steps of a second have folders of their own.
   std::filesystem::path flowCase(double time) const;
 
  private:

@@ -101,8 +101,11 @@ double RadialMap::minimalArea(double from, double to) const {
   for (int k = 0; k < planes(); ++k) {
     if (z_[k] >= from && z_[k] <= to) least = std::min(least, lumenArea(k));
   }
-  if (least == HUGE_VAL) throw std::invalid_argument("no plane of the radial map lies in the section");
-  return least;
+  if (least < HUGE_VAL) return least;
+  if (z_.empty()) throw std::invalid_argument("the radial map has no planes");
+  const auto nearest =
+      std::ranges::min_element(z_, {}, [&](double z) { return std::abs(z - 0.5 * (from + to)); });
+  return lumenArea(static_cast<int>(nearest - z_.begin()));
 }
 
 bool RadialMap::comparable(const RadialMap& other) const {

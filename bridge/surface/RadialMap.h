@@ -30,8 +30,8 @@ class RadialMap {
   double radiusAt(const Vec3& point) const { return interpolate(radius_, point); }  ///< [m]
   double meanRadius() const;          ///< over planes (trapezoidal) and angles [m]
   double lumenArea(int plane) const;  ///< of a cross-section as seen from the axis [m^2]
-  /// Smallest cross-section of the planes between two z [m^2]. Throws std::invalid_argument if none lies
-  /// there.
+  /// Smallest cross-section of the planes between two z [m^2]; where none lies there, that of the plane
+  /// nearest to their middle. Throws std::invalid_argument for a map without planes.
   double minimalArea(double from = -HUGE_VAL, double to = HUGE_VAL) const;
   double planeWeight(int plane) const;  ///< length of vessel a plane stands for [m]
   bool comparable(const RadialMap& other) const;

@@ -37,7 +37,9 @@ TEST(RadialMap, SmallestCrossSectionIsThatOfTheSectionAskedFor) {
       [&](const Vec3& p) { return radius(p.z()) - std::hypot(p.x(), p.y()); }, 10, 6, 0.25));
   EXPECT_NEAR(map.minimalArea(), std::numbers::pi * 9, 0.1);
   EXPECT_NEAR(map.minimalArea(5, 10), std::numbers::pi * 3.5 * 3.5, 0.1);
-  EXPECT_THROW(map.minimalArea(11, 12), std::invalid_argument);
+  // Between two planes, 0.25 apart
+  EXPECT_EQ(map.minimalArea(2.05, 2.1), map.minimalArea(2, 2));
+  EXPECT_THROW(RadialMap().minimalArea(), std::invalid_argument);
 }
 
 TEST(RadialMap, RaysThatStartInTissueHaveNoLength) {

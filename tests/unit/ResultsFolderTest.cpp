@@ -25,6 +25,9 @@ TEST(ResultsFolder, IsCreatedWithThoseAboveIt) {
   const auto results = ResultsFolder::fresh(folder / "results/quick");
   EXPECT_TRUE(fs::is_directory(folder / "results/quick"));
   EXPECT_EQ(results.flowCase(3.125 * 86400).filename(), "3.125");
+  EXPECT_EQ(results.flowCase(20 * 86400).filename(), "20");
+  EXPECT_EQ(results.flowCase(0).filename(), "0");
+  EXPECT_NE(results.flowCase(1000 * 86400), results.flowCase(1000 * 86400 + 60));
 }
 
 TEST(ResultsFolder, RefusesAFolderWithForeignFiles) {
