@@ -147,6 +147,7 @@ void Run::deploy() {
       checkpointWhenDue(false);
     }
     world_.stent = deployment.stent();
+    world_.deployment = deployment.statistics();
     if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
       world_.remarks.push_back(
           fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "
@@ -317,6 +318,8 @@ void Run::writeSummary() {
     const auto flow = schedule_->counts().find("flow");
     if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
+  summary.deployment = world_.deployment;
+  summary.injury = world_.injury;
   summary.relaxationIterations = world_.relaxation.iterations;
   summary.agentEvaluations = world_.relaxation.agentEvaluations;
   summary.poiseuille = poiseuille();

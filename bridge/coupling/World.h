@@ -8,6 +8,7 @@
 
 #include "Biology.h"
 #include "ChangeLedger.h"
+#include "DeploymentStatistics.h"
 #include "FlowBackend.h"
 #include "Injury.h"
 #include "LumenField.h"
@@ -79,6 +80,7 @@ struct World {
   LumenState lumen;
   FlowState flow;
   ChangeLedger changes;
+  std::optional<DeploymentStatistics> deployment;  ///< before injury
   std::optional<InjuryReport> injury;
   std::uint64_t divisions = 0;  ///< since deployment
   RelaxationWork relaxation;
@@ -100,7 +102,7 @@ struct World {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, biology, lumen, flow, changes, injury, divisions, relaxation, remarks, timer);
+    a(wall, biology, lumen, flow, changes, deployment, injury, divisions, relaxation, remarks, timer);
   }
 
  private:

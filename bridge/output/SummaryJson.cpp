@@ -25,6 +25,33 @@ Json finalValues(const TimeSeriesRow& row) {
   return values;
 }
 
+Json deployment(const Summary& summary) {
+  if (!summary.deployment) return nullptr;
+  const DeploymentStatistics& wall = *summary.deployment;
+  return {{"agentsLumenwardOfStruts", wall.escaped},
+          {"cellsOutsideEel", wall.outside},
+          {"ielRadiusUnderStruts_um", 1e6 * wall.ielUnderStrut},
+          {"ielToEelUnderStruts_um", 1e6 * wall.laminaDistance},
+          {"largestOverlap_cellRadii", wall.largestOverlap},
+          {"meanBondStrain", wall.meanStrain},
+          {"largestBondStrain", wall.largestStrain},
+          {"meanIelBondStrain", wall.meanIelStrain},
+          {"largestIelBondStrain", wall.largestIelStrain}};
+}
+
+Json injury(const Summary& summary) {
+  if (!summary.injury) return nullptr;
+  const InjuryReport& done = *summary.injury;
+  return {{"ielAgents", done.iel},
+          {"stretchedIelAgents", done.stretched},
+          {"brokenIelAgents", done.broken},
+          {"fenestratedIelAgents", done.fenestrated},
+          {"removedIelAgents", done.removed},
+          {"ielBonds", done.ielBonds},
+          {"brokenIelBonds", done.brokenBonds},
+          {"syntheticCells", done.synthetic}};
+}
+
 Json flowSolves(const Summary& summary) {
   Json flow;
   flow["backend"] = summary.flowBackend.empty() ? Json(nullptr) : Json(summary.flowBackend);
@@ -76,6 +103,8 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["sceneFingerprint"] = summary.sceneFingerprint;
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);
+  json["deployment"] = deployment(summary);
+  json["injury"] = injury(summary);
   json["flow"] = flowSolves(summary);
   json["relaxation"] = {{"iterations", summary.relaxationIterations},
                         {"agentEvaluations", summary.agentEvaluations}};

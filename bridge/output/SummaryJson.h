@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "DeploymentStatistics.h"
+#include "Injury.h"
 #include "PartTimer.h"
 #include "PoiseuilleError.h"
 #include "TimeSeriesRow.h"
@@ -22,7 +24,9 @@ struct Summary {
   std::string flowBackend;       ///< empty when no flow is modelled
   std::string sceneFingerprint;  ///< of all keys and files that decide the result
   std::string stateDigest;
-  TimeSeriesRow last;  ///< the final values
+  TimeSeriesRow last;                              ///< the final values
+  std::optional<DeploymentStatistics> deployment;  ///< where there is a stent
+  std::optional<InjuryReport> injury;              ///< where a scene injures
   std::uint64_t flowSolvesDone = 0;
   std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
   std::uint64_t flowMeshesMoved = 0;                       ///< solves in the former mesh, moved
@@ -34,10 +38,10 @@ struct Summary {
 };
 
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
-/// stateDigest, final (the columns of timeSeries.csv; null where unknown), flow (solves done, skipped, and
-/// skipped by reason; meshes moved, and made anew by reason), relaxation (iterations during growth, and
-/// forces computed), poiseuille (errors, null where the exact stress is not known), parts (seconds and peak
-/// memory), totalSeconds, remarks. Throws WriteFailed.
+/// stateDigest, final (the columns of timeSeries.csv; null where unknown), deployment and injury (what they
+/// did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made anew by
+/// reason), relaxation (iterations during growth, and forces computed), poiseuille (errors, null where the
+/// exact stress is not known), parts (seconds and peak memory), totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

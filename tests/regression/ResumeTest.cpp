@@ -1,6 +1,9 @@
 #include <random>
 #include <thread>
 
+#include "ResultsFolder.h"
+#include "Run.h"
+#include "SceneReader.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -85,11 +88,15 @@ TEST_F(Resume, AfterAnInterruptionInTheLastStepOfDeploymentTheResultsAreTheSame)
   const std::string tiny = scene("tiny", with(with(tinyScene, "deploymentSteps = 8", "deploymentSteps = 1"),
                                               "deploymentDepth = \"40 um\"", "deploymentDepth = \"10 um\""));
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);
-  Process deploying(command({"run", tiny, "-o", "out"}), folder.path());
-  sleepUntil(deploying, [&] { return exists("out/checkpoint/state.bin"); });
-  deploying.send(SIGINT);
-  EXPECT_EXIT_STATUS(deploying.wait(patience), 1);
-  EXPECT_FALSE(exists("out/timeSeries.csv")) << "this was to fall into deployment";
+  {
+    const Scene read = SceneReader(Units()).readFile(folder / tiny, {});
+    const ResultsFolder results = ResultsFolder::fresh(folder / "out");
+    std::ostringstream nowhere;
+    Progress progress(nowhere, false, read.scene.duration);
+    const std::atomic<bool> stop{true};
+    EXPECT_THROW(restenosis::Run(read, results, progress, {.stopRequested = &stop}).go(), Interrupted);
+  }
+  EXPECT_FALSE(exists("out/timeSeries.csv")) << "deployment asks first";
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
   expectSameResults("out", "reference");
 }

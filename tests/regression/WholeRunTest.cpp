@@ -40,6 +40,12 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   EXPECT_GE(json["threads"], 1);
   EXPECT_FALSE(std::string(json["version"]).empty());
   EXPECT_TRUE(std::regex_match(std::string(json["stateDigest"]), std::regex("[0-9a-f]{16,}")));
+  EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 0);
+  EXPECT_EQ(json["deployment"]["cellsOutsideEel"], 0);
+  EXPECT_GT(json["deployment"]["ielRadiusUnderStruts_um"], 240) << "0.4 mm across, struts 40 um deep";
+  EXPECT_GT(json["deployment"]["largestBondStrain"], 0);
+  EXPECT_GT(json["injury"]["removedIelAgents"], 0);
+  EXPECT_GT(json["injury"]["syntheticCells"], json["injury"]["removedIelAgents"]);
   EXPECT_GE(json["flow"]["solvesDone"], 2);
   EXPECT_GT(json["flow"]["solvesSkipped"], 0);
   EXPECT_FALSE(json["flow"]["skippedBecause"].empty());

@@ -21,6 +21,7 @@ Summary example() {
   summary.last.time = 864000;
   summary.last.agents = 70123;
   summary.last.neointimaThickness = 51e-6;
+  summary.deployment = {.escaped = 1, .laminaDistance = 95e-6, .largestStrain = 0.4};
   summary.flowSolvesDone = 5;
   summary.flowSolvesSkipped = {{"no covered cell", 72}, {"the lumen has moved too little", 8}};
   summary.flowMeshesMoved = 3;
@@ -42,6 +43,10 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["final"]["day"], 10.0);
   EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
   EXPECT_TRUE(json["final"]["wssMean_Pa"].is_null());
+  EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 1);
+  EXPECT_NEAR(json["deployment"]["ielToEelUnderStruts_um"].get<double>(), 95, 1e-9);
+  EXPECT_EQ(json["deployment"]["largestBondStrain"], 0.4);
+  EXPECT_TRUE(json["injury"].is_null());
   EXPECT_EQ(json["flow"]["solvesDone"], 5);
   EXPECT_EQ(json["flow"]["solvesSkipped"], 80);
   EXPECT_EQ(json["flow"]["skippedBecause"]["no covered cell"], 72);

@@ -16,6 +16,12 @@ struct DeploymentStatistics {
   double largestIelStrain = 0;  ///< the same
   double meanStrain = 0;        ///< of all bonds
   double largestStrain = 0;     ///< the same
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(escaped, outside, ielUnderStrut, laminaDistance, largestOverlap, meanIelStrain, largestIelStrain,
+      meanStrain, largestStrain);
+  }
 };
 
 /// Measures a wall around a stent where it now stands. "Under a strut" is the middle half of its width; an
