@@ -18,7 +18,7 @@ struct TimeSeriesRow {
   std::optional<double> coverage;               ///< share of exposed synthetic cells that carry endothelium
   std::optional<double> wssMean;                ///< area-weighted over the wall [Pa]
   std::optional<double> wssLowAreaFraction;     ///< share of the wall's area below the arrest threshold
-  std::uint64_t flowSolved = 0;                 ///< 1 when the flow was solved at this step
+  std::uint64_t flowSolved = 0;                 ///< 1 when the flow was solved since the last row
   std::uint64_t iel = 0, eel = 0;               ///< agents of these kinds
   std::uint64_t g0 = 0, g1 = 0, sg2m = 0;       ///< SMC by phase of the cycle
   std::uint64_t synthetic = 0, inhibited = 0, covered = 0, exposed = 0;  ///< SMC by flag

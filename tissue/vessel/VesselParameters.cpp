@@ -19,7 +19,7 @@ void VesselParameters::describe(ParameterVisitor& p) {
                       .minimumAllowed = false,
                       .required = cylinder,
                       .source = "T6",
-                      .description = "length of the vessel"});
+                      .description = "length of the vessel; required unless lumenSurface is given"});
   p.quantity(lumenDiameter, {.key = "lumenDiameter",
                              .unit = "mm",
                              .minimum = 0,
@@ -27,7 +27,8 @@ void VesselParameters::describe(ParameterVisitor& p) {
                              .minimumAllowed = false,
                              .required = cylinder,
                              .source = "T6",
-                             .description = "diameter of the lumen before stenting"});
+                             .description = "diameter of the lumen before stenting; required unless "
+                                            "lumenSurface is given"});
   p.quantity(wallThickness, {.key = "wallThickness",
                              .unit = "mm",
                              .minimum = 0,

@@ -45,12 +45,12 @@ void FoamSettings::describe(ParameterVisitor& p) {
   p.integer(bufferCells, {.key = "bufferCells",
                           .minimum = 1,
                           .maximum = 16,
-                          .source = "docs/results/speed.md",
+                          .source = "docs/results/mesh-cost.md",
                           .description = "rows of cells between one size and the next"});
   p.integer(snapIterations, {.key = "snapIterations",
                              .minimum = 1,
                              .maximum = 100,
-                             .source = "docs/results/speed.md",
+                             .source = "docs/results/mesh-cost.md",
                              .description = "iterations that move the mesh's wall onto the surface"});
   p.quantity(tolerance, {.key = "tolerance",
                          .minimum = 0,
@@ -106,19 +106,19 @@ void FoamSettings::describe(ParameterVisitor& p) {
                              .source = "assumed",
                              .description = "largest relative error of the flow rates at the ends"});
   p.boolean(warmStart, {.key = "warmStart",
-                        .source = "docs/results/speed.md",
+                        .source = "docs/results/mesh-cost.md",
                         .description = "start from the former flow instead of from rest"});
   p.quantity(morphMovement,
              {.key = "morphMovement",
               .minimum = 0,
               .maximum = 10,
-              .source = "docs/results/speed.md",
+              .source = "docs/results/mesh-cost.md",
               .description = "largest movement of the wall, in cells there, that a mesh may follow"});
   p.quantity(morphDeparture,
              {.key = "morphDeparture",
               .minimum = 0,
               .maximum = 10,
-              .source = "docs/results/speed.md",
+              .source = "docs/results/mesh-cost.md",
               .description = "largest distance of a moved mesh's wall from the lumen, in cells there"});
   p.quantity(morphNonOrthogonality,
              {.key = "morphNonOrthogonality",
