@@ -31,8 +31,8 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
     return ExitStatus::wrongInput;
   } catch (const FlowFailed& error) {
     std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
-    if (!error.log.empty()) std::cerr << fmt::format("Read {}.\n", error.log.string());
-    if (!advice.flowFailed.empty()) std::cerr << advice.flowFailed << '\n';
+    if (!error.log.empty()) std::cerr << fmt::format("Read {}. ", error.log.string());
+    std::cerr << advice.flowFailed << '\n';
   } catch (const Interrupted&) {
     std::cerr << fmt::format("\n{}\n", advice.interrupted);
   } catch (const std::exception& error) {

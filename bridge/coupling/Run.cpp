@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "AtomicFile.h"
 #include "CyclePart.h"
 #include "Deployment.h"
 #include "EndotheliumPart.h"
@@ -82,6 +83,8 @@ void Run::resume() {
                     scene_.scene.duration / day));
   }
   requireFormerCase();
+  // It is of an end that is none any more
+  std::filesystem::remove(folder_.summary());
   if (stage_ == Stage::growing) record_->begin();
 }
 
@@ -110,13 +113,29 @@ void Run::go() {
     // A result, not a failure: the neointima has closed the vessel.
     status_ = "occluded";
     recordOcclusion();
+  } catch (const Interrupted&) {
+    endAs("interrupted");
+    throw;
   } catch (const FlowFailed&) {
-    if (options_.stopRequested && *options_.stopRequested) throw Interrupted();
-    status_ = "failed";
-    writeSummary();
+    // Programs that were asked to end may say that they failed
+    const bool asked = options_.stopRequested && *options_.stopRequested;
+    endAs(asked ? "interrupted" : "failed");
+    if (asked) throw Interrupted();
+    throw;
+  } catch (const std::exception&) {
+    endAs("failed");
     throw;
   }
   writeFinalResults();
+}
+
+void Run::endAs(const char* status) {
+  status_ = status;
+  try {
+    writeSummary();
+  } catch (const WriteFailed&) {
+    // What ended the run is told instead; it may be the full disk
+  }
 }
 
 void Run::prepareWall() {

@@ -71,6 +71,8 @@ class Run {
   void reportProgress(const Instant& now);
   void writeFinalResults();
   void writeSummary();
+  /// Says in summary.json how a run came to its end before its time.
+  void endAs(const char* status);
   template <class Archive>
   void archive(Archive& a);
 

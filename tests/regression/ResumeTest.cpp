@@ -97,6 +97,7 @@ TEST_F(Resume, AfterAnInterruptionInTheLastStepOfDeploymentTheResultsAreTheSame)
     EXPECT_THROW(restenosis::Run(read, results, progress, {.stopRequested = &stop}).go(), Interrupted);
   }
   EXPECT_FALSE(exists("out/timeSeries.csv")) << "deployment asks first";
+  EXPECT_EQ(summary("out")["status"], "interrupted");
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
   expectSameResults("out", "reference");
 }
