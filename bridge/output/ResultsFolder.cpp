@@ -75,6 +75,14 @@ void createOutputFolder(const fs::path& folder) {
   } catch (const WriteFailed& error) {
     throw FolderRefused(fmt::format("{}: choose another folder with -o", error.what()));
   }
+  if (fs::exists(folder / marker)) return;
+  if (!fs::is_empty(folder)) {
+    throw FolderRefused(fmt::format(
+        "{} holds files that are not results of restenosisFoam (for example '{}'): choose another "
+        "folder with -o, or empty this one",
+        folder.string(), firstEntry(folder)));
+  }
+  std::ofstream mark(folder / marker);
 }
 
 int ResultsFolder::acquireLock(const fs::path& folder) {
@@ -106,12 +114,6 @@ int ResultsFolder::acquireLock(const fs::path& folder) {
 
 ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
   createOutputFolder(folder);
-  if (!fs::exists(folder / marker) && !fs::is_empty(folder)) {
-    throw FolderRefused(fmt::format(
-        "{} holds files that are not results of restenosisFoam (for example '{}'): choose another "
-        "folder with -o, or empty this one",
-        folder.string(), firstEntry(folder)));
-  }
   ResultsFolder results(folder, acquireLock(folder));
   results.moveFormerRun();
   return results;

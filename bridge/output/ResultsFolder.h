@@ -12,7 +12,8 @@ struct FolderRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Creates the folder that a user has asked for, and those above it; throws FolderRefused where it cannot be.
+/// Creates the folder that a user has asked for, and those above it, and marks it as this program's; throws
+/// FolderRefused where it cannot be, or holds files of something else.
 void createOutputFolder(const std::filesystem::path& folder);
 
 /// The folder of a run's results: knows the place of every file, and holds a lock while it lives, so that no

@@ -152,10 +152,13 @@ TEST_F(WrongScene, EverySlipIsReportedAtOnce) {
 TEST_F(WrongScene, AFolderOfSomethingElseIsLeftAlone) {
   std::filesystem::create_directory(folder / "out");
   writeText(folder / "out/thesis.doc", "years of work");
-  const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "out"});
-  EXPECT_EXIT_STATUS(end, 2);
-  EXPECT_NE(end.err.find("thesis.doc"), std::string::npos) << end.err;
-  EXPECT_EQ(contents("out").size(), 1u);
+  const std::string tiny = scene("tiny", tinyScene);
+  for (const char* command : {"run", "compare", "tradeoff"}) {
+    const ProcessEnd end = run({command, tiny, "-o", "out"});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find("thesis.doc"), std::string::npos) << end.err;
+    EXPECT_EQ(contents("out").size(), 1u);
+  }
 }
 
 }  // namespace
