@@ -1,12 +1,9 @@
 #include "ContactInhibitionLaw.h"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <stdexcept>
 
 #include "ExposureLaw.h"
-#include "NameList.h"
+#include "NamedTable.h"
 #include "NeighbourCountLaw.h"
 
 namespace restenosis {
@@ -25,19 +22,11 @@ constexpr std::array laws{entry<ExposureLaw>, entry<NeighbourCountLaw>};
 
 std::span<const ContactInhibitionLawEntry> contactInhibitionLaws() { return laws; }
 
-std::vector<std::string_view> contactInhibitionLawNames() {
-  std::vector<std::string_view> names;
-  for (const auto& law : laws) names.push_back(law.name);
-  return names;
-}
+std::vector<std::string_view> contactInhibitionLawNames() { return namesOf(laws); }
 
 std::unique_ptr<const ContactInhibitionLaw> makeContactInhibitionLaw(
     const ContactInhibitionParameters& parameters) {
-  for (const auto& law : laws) {
-    if (law.name == parameters.law) return law.make(parameters);
-  }
-  throw std::invalid_argument(fmt::format("unknown law of contact inhibition \"{}\"; there are: {}",
-                                          parameters.law, commaSeparated(contactInhibitionLawNames())));
+  return findNamed(laws, "law of contact inhibition", parameters.law).make(parameters);
 }
 
 }  // namespace restenosis

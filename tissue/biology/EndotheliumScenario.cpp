@@ -1,13 +1,9 @@
 #include "EndotheliumScenario.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <stdexcept>
 
-#include "NameList.h"
+#include "NamedTable.h"
 
 namespace restenosis {
 
@@ -36,19 +32,10 @@ double EndotheliumScenario::coverage(double time) const {
 
 std::span<const EndotheliumScenario> endotheliumScenarios() { return scenarios; }
 
-std::vector<std::string_view> endotheliumScenarioNames() {
-  std::vector<std::string_view> names;
-  for (const auto& scenario : scenarios) names.push_back(scenario.name);
-  return names;
-}
+std::vector<std::string_view> endotheliumScenarioNames() { return namesOf(scenarios); }
 
 const EndotheliumScenario& endotheliumScenario(std::string_view name) {
-  const auto found = std::ranges::find(scenarios, name, &EndotheliumScenario::name);
-  if (found == scenarios.end()) {
-    throw std::invalid_argument(fmt::format("unknown endothelium scenario \"{}\"; there are: {}", name,
-                                            commaSeparated(endotheliumScenarioNames())));
-  }
-  return *found;
+  return findNamed(scenarios, "endothelium scenario", name);
 }
 
 }  // namespace restenosis

@@ -1,10 +1,8 @@
 #include "StentDesign.h"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <stdexcept>
-#include <string>
+
+#include "NamedTable.h"
 
 namespace restenosis {
 
@@ -19,21 +17,10 @@ std::span<const StentDesign> stentDesigns() {
   return table;
 }
 
-std::vector<std::string_view> stentDesignNames() {
-  std::vector<std::string_view> names;
-  for (const StentDesign& design : stentDesigns()) names.push_back(design.name);
-  return names;
-}
+std::vector<std::string_view> stentDesignNames() { return namesOf(stentDesigns()); }
 
 const StentDesign& stentDesign(std::string_view name) {
-  for (const StentDesign& design : stentDesigns()) {
-    if (design.name == name) return design;
-  }
-  std::string allowed;
-  for (const StentDesign& design : stentDesigns()) {
-    allowed.append(allowed.empty() ? "" : ", ").append(design.name);
-  }
-  throw std::invalid_argument(fmt::format("unknown stent design '{}'; allowed are {}", name, allowed));
+  return findNamed(stentDesigns(), "stent design", name, "allowed are");
 }
 
 }  // namespace restenosis

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,16 +16,15 @@ std::vector<std::string_view> namesOf(const Table& table) {
   return names;
 }
 
-/// The entry called `name`. Throws std::invalid_argument, which says `what` was looked for and which names
-/// there are.
+/// The entry called `name`. Throws std::invalid_argument, which says `what` was looked for and, after `list`,
+/// which names there are.
 template <class Table>
-const auto& findNamed(const Table& table, std::string_view what, std::string_view name) {
-  std::string known;
-  for (const auto& entry : table) {
+const auto& findNamed(const Table& table, std::string_view what, std::string_view name,
+                      std::string_view list = "known:") {
+  for (const auto& entry : table)
     if (entry.name == name) return entry;
-    known.append(known.empty() ? "" : ", ").append(entry.name);
-  }
-  throw std::invalid_argument(fmt::format("unknown {} '{}'; known: {}", what, name, known));
+  throw std::invalid_argument(
+      fmt::format("unknown {} '{}'; {} {}", what, name, list, fmt::join(namesOf(table), ", ")));
 }
 
 }  // namespace restenosis
