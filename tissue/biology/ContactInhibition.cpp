@@ -95,22 +95,4 @@ std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Inde
   return mark;
 }
 
-std::vector<double> ContactInhibition::exposedShares(const AgentStore& agents,
-                                                     const ContactInhibitionParameters& parameters,
-                                                     double vesselLength) {
-  const ExposureMeasure measure(parameters);
-  const MirroredNeighbours neighbours(AgentShapes::of(agents), measure.range(), vesselLength);
-  std::vector<double> shares(agents.size());
-#pragma omp parallel if (agents.size() > parallelThreshold)
-  {
-    std::vector<ContactNeighbour> scratch;
-#pragma omp for schedule(dynamic, 64)
-    for (Index i = 0; i < agents.size(); ++i) {
-      neighbours.gather(i, measure.range(), scratch);
-      shares[i] = measure.share(agents.radius[i], scratch);
-    }
-  }
-  return shares;
-}
-
 }  // namespace restenosis

@@ -10,8 +10,13 @@ namespace restenosis {
 
 namespace {
 
+struct Entry {
+  std::string_view name;
+  std::unique_ptr<const ContactInhibitionLaw> (*make)(const ContactInhibitionParameters&);
+};
+
 template <class Law>
-constexpr ContactInhibitionLawEntry entry{
+constexpr Entry entry{
     Law::name, [](const ContactInhibitionParameters& p) -> std::unique_ptr<const ContactInhibitionLaw> {
       return std::make_unique<Law>(p);
     }};
@@ -19,8 +24,6 @@ constexpr ContactInhibitionLawEntry entry{
 constexpr std::array laws{entry<ExposureLaw>, entry<NeighbourCountLaw>};
 
 }  // namespace
-
-std::span<const ContactInhibitionLawEntry> contactInhibitionLaws() { return laws; }
 
 std::vector<std::string_view> contactInhibitionLawNames() { return namesOf(laws); }
 

@@ -6,21 +6,22 @@
 
 namespace restenosis {
 
-std::span<const StentDesign> stentDesigns() {
-  static constexpr std::array<StentDesign, 5> table = {{
-      {"ring", "one ring half way along", false, buildRing},
-      {"rings", "rings evenly over the stent's length", true, buildRings},
-      {"ringsWithLinks", "rings joined by straight links", true, buildRingsWithLinks},
-      {"helix", "a helix", true, buildHelix},
-      {"biodivysio", "sinusoidal rings joined by links", true, buildBiodivysio},
-  }};
-  return table;
-}
+namespace {
 
-std::vector<std::string_view> stentDesignNames() { return namesOf(stentDesigns()); }
+constexpr std::array designs{
+    StentDesign{"ring", false, buildRing},
+    StentDesign{"rings", true, buildRings},
+    StentDesign{"ringsWithLinks", true, buildRingsWithLinks},
+    StentDesign{"helix", true, buildHelix},
+    StentDesign{"biodivysio", true, buildBiodivysio},
+};
+
+}  // namespace
+
+std::vector<std::string_view> stentDesignNames() { return namesOf(designs); }
 
 const StentDesign& stentDesign(std::string_view name) {
-  return findNamed(stentDesigns(), "stent design", name, "allowed are");
+  return findNamed(designs, "stent design", name, "allowed are");
 }
 
 }  // namespace restenosis

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -11,15 +10,12 @@ namespace restenosis {
 
 /// A way to lay out struts on a cylinder.
 struct StentDesign {
-  std::string_view name;     ///< in a scene
-  std::string_view summary;  ///< for the schema
-  bool spansLength;          ///< whether it reads StentParameters::length
+  std::string_view name;  ///< in a scene
+  bool spansLength;       ///< whether it reads StentParameters::length
   std::vector<StrutSegment> (*build)(const StentParameters&, const StentLayout&);
 };
 
-/// All designs. A new one is a file with its `build` function and a line here.
-std::span<const StentDesign> stentDesigns();
-/// Their names, as `choice` wants them.
+/// The names of all designs, as `choice` wants them.
 std::vector<std::string_view> stentDesignNames();
 /// Throws std::invalid_argument, with the valid names, for an unknown one.
 const StentDesign& stentDesign(std::string_view name);
