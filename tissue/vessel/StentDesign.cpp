@@ -9,11 +9,11 @@ namespace restenosis {
 namespace {
 
 constexpr std::array designs{
-    StentDesign{"ring", false, buildRing},
-    StentDesign{"rings", true, buildRings},
-    StentDesign{"ringsWithLinks", true, buildRingsWithLinks},
-    StentDesign{"helix", true, buildHelix},
-    StentDesign{"biodivysio", true, buildBiodivysio},
+    StentDesign{"ring", false, buildRing, checkRing},
+    StentDesign{"rings", true, buildRings, checkRings},
+    StentDesign{"ringsWithLinks", true, buildRingsWithLinks, checkRings},
+    StentDesign{"helix", true, buildHelix, checkHelix},
+    StentDesign{"biodivysio", true, buildBiodivysio, checkBiodivysio},
 };
 
 }  // namespace
