@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <numbers>
 
 #include "FlowBackendNames.h"
 #include "LatticeSampler.h"
@@ -55,7 +56,7 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
   if (!(settings.dx > 0.0) || !std::isfinite(settings.dx))
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
-  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / 3.14159265358979);
+  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
   if (across < LbmSettings::leastNodesAcross * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
