@@ -4,12 +4,13 @@
 #include <limits>
 
 #include "NamedTable.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
 namespace {
 
-constexpr double day = 86400;
+constexpr double day = secondsPerDay;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // ISR3D gives the two ends of fast, normal and slow; nothing before day 3 and a straight line are assumed.
