@@ -78,8 +78,8 @@ class EdgeFinder {
   EdgeFinder(const std::vector<Vec3>& centres, const std::vector<Vec3>& normals)
       : tree_(centres), normals_(normals) {}
   bool near(const Vec3& centre, const Vec3& normal, double reach) const {
-    for (const std::size_t face : tree_.within(centre, reach))
-      if (normals_[face].dot(normal) < edgeCosine) return true;
+    for (const auto& face : tree_.within(centre, reach))
+      if (normals_[face.index].dot(normal) < edgeCosine) return true;
     return false;
   }
 
