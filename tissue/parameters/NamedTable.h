@@ -8,6 +8,13 @@
 
 namespace restenosis {
 
+/// An entry of a table that has nothing but a value.
+template <class Value>
+struct Named {
+  std::string_view name;
+  Value value;
+};
+
 /// The names of a table's entries, in its order.
 template <class Table>
 std::vector<std::string_view> namesOf(const Table& table) {
