@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "NameList.h"
+
 namespace restenosis {
 namespace {
 
@@ -47,7 +49,7 @@ std::string nearestName(std::string_view name, const std::vector<std::string_vie
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& allowed) {
   const std::string nearest = nearestName(name, allowed);
   return fmt::format("{} Allowed: {}", nearest.empty() ? "." : fmt::format("; did you mean '{}'?", nearest),
-                     fmt::join(allowed, ", "));
+                     commaSeparated(allowed));
 }
 
 }  // namespace restenosis

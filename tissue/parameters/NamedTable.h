@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "NameList.h"
+
 namespace restenosis {
 
 /// An entry of a table that has nothing but a value.
@@ -31,7 +33,7 @@ const auto& findNamed(const Table& table, std::string_view what, std::string_vie
   for (const auto& entry : table)
     if (entry.name == name) return entry;
   throw std::invalid_argument(
-      fmt::format("unknown {} '{}'; {} {}", what, name, list, fmt::join(namesOf(table), ", ")));
+      fmt::format("unknown {} '{}'; {} {}", what, name, list, commaSeparated(namesOf(table))));
 }
 
 }  // namespace restenosis
