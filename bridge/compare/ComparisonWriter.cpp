@@ -12,6 +12,7 @@
 
 #include "AtomicFile.h"
 #include "PolyDataFile.h"
+#include "SecondsPerDay.h"
 #include "Version.h"
 
 namespace restenosis {
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double perMillimetre = 1e3, perSquareMillimetre = 1e6, daySeconds = 86400.0;
+constexpr double perMillimetre = 1e3, perSquareMillimetre = 1e6;
 
 Json costJson(const SolvedFlow& flow) {
   Json json;
@@ -122,7 +123,7 @@ void writeComparisonSurface(const std::filesystem::path& file, const TriSurface&
   addArray<vtkFloatArray>(cells, "WSS_difference", n, 1, [&](std::size_t i, int) {
     return c.traction[1][i].norm() - c.traction[0][i].norm();
   });
-  writePolyData(file, data, day * daySeconds);
+  writePolyData(file, data, day * secondsPerDay);
 }
 
 void writeComparedVelocities(const std::filesystem::path& file, const FlowComparison& c,

@@ -13,49 +13,37 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <regex>
-#include <set>
 #include <stdexcept>
+
+#include "SurfaceEnds.h"
 
 namespace restenosis {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Edges that only one triangle runs along, by their first vertex: the rims of the tube.
-std::map<std::uint32_t, std::uint32_t> rimEdges(const TriSurface& tube) {
-  std::set<Edge> edges;
-  for (const auto& t : tube.triangles)
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
-  std::map<std::uint32_t, std::uint32_t> rim;
-  for (const auto& [from, to] : edges)
-    if (!edges.contains({to, from})) rim.emplace(from, to);
-  return rim;
+/// The rims of the tube.
+std::vector<std::vector<std::uint32_t>> rimsOf(const TriSurface& tube, const std::filesystem::path& file) {
+  const SurfaceEdges edges = surfaceEdges(tube);
+  if (edges.opposed > 0)
+    throw std::runtime_error(fmt::format("{}: triangles of the lumen face opposite ways", file.string()));
+  try {
+    return openRims(edges.open);
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error(fmt::format("{}: a rim of the lumen is not closed", file.string()));
+  }
 }
 
 /// Closes every rim by a fan about its centre.
 void addCaps(TriSurface& tube, const std::filesystem::path& file) {
   double low = tube.vertices.front().z(), high = low;
   for (const Vec3& v : tube.vertices) low = std::min(low, v.z()), high = std::max(high, v.z());
-  auto rim = rimEdges(tube);
   bool inlet = false, outlet = false;
-  while (!rim.empty()) {
-    std::vector<std::uint32_t> loop{rim.begin()->first};
-    while (!rim.empty()) {
-      const auto edge = rim.find(loop.back());
-      if (edge == rim.end())
-        throw std::runtime_error(fmt::format("{}: a rim of the lumen is not closed", file.string()));
-      const std::uint32_t next = edge->second;
-      rim.erase(edge);
-      if (next == loop.front()) break;
-      loop.push_back(next);
-    }
+  for (const auto& rim : rimsOf(tube, file)) {
     Vec3 centre = Vec3::Zero();
-    for (const auto v : loop) centre += tube.vertices[v] / static_cast<double>(loop.size());
+    for (const auto v : rim) centre += tube.vertices[v] / static_cast<double>(rim.size());
     const bool atInlet = centre.z() < 0.5 * (low + high);
     const double plane = atInlet ? low : high;
-    for (const auto v : loop)
+    for (const auto v : rim)
       if (tube.vertices[v].z() != plane)
         throw std::runtime_error(
             fmt::format("{}: the lumen has a hole at z = {:.4g} mm", file.string(), 1e3 * centre.z()));
@@ -63,8 +51,8 @@ void addCaps(TriSurface& tube, const std::filesystem::path& file) {
     (atInlet ? inlet : outlet) = true;
     const auto middle = static_cast<std::uint32_t>(tube.vertices.size());
     tube.vertices.push_back(centre);
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      tube.triangles.push_back({loop[(k + 1) % loop.size()], loop[k], middle});
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      tube.triangles.push_back({rim[(k + 1) % rim.size()], rim[k], middle});
       tube.region.push_back(atInlet ? SurfaceRegion::inlet : SurfaceRegion::outlet);
     }
   }

@@ -6,6 +6,7 @@
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
 #include "FoamRequirements.h"
+#include "SecondsPerDay.h"
 #include "Units.h"
 #include "World.h"
 
@@ -23,10 +24,9 @@ std::string noFlowBecause(const Scene& scene) {
   if (!scene.hasTissue()) return "";
   if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
   if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
-  constexpr double day = 86400;
   const double onset = Biology(biologySettings(scene)).endotheliumOnset();
   if (onset > scene.scene.duration)
-    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / day);
+    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / secondsPerDay);
   return "";
 }
 

@@ -10,13 +10,14 @@
 #include "FlowForecast.h"
 #include "Run.h"
 #include "SceneChecks.h"
+#include "SecondsPerDay.h"
 #include "Units.h"
 #include "World.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double day = secondsPerDay;
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {

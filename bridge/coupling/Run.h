@@ -44,7 +44,6 @@ class Run {
   /// Interrupted; what has been recorded so far stays.
   void go();
 
-  const World& world() const { return world_; }
   std::string status() const { return status_; }
   std::string stateDigest();
   std::uint64_t flowSolvesDone() const;

@@ -10,29 +10,13 @@
 
 #include <cmath>
 #include <limits>
-#include <nanoflann.hpp>
 
 #include "PolyDataFile.h"
+#include "RegionalFaces.h"
 
 namespace restenosis {
 
 namespace {
-
-/// The flow's wall faces as nanoflann asks for them.
-struct FaceCentres {
-  const std::vector<WallFace>& faces;
-  std::size_t kdtree_get_point_count() const { return faces.size(); }
-  double kdtree_get_pt(std::size_t face, std::size_t axis) const {
-    return faces[face].centre[static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using FaceTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FaceCentres>, FaceCentres, 3>;
 
 std::vector<std::size_t> sideTriangles(const TriSurface& lumen) {
   std::vector<std::size_t> side;
@@ -41,19 +25,21 @@ std::vector<std::size_t> sideTriangles(const TriSurface& lumen) {
   return side;
 }
 
+SurfaceRegion otherThan(SurfaceRegion region) {
+  return region == SurfaceRegion::strut ? SurfaceRegion::wall : SurfaceRegion::strut;
+}
+
 std::vector<Vec3> nearestTractions(const TriSurface& lumen, const std::vector<std::size_t>& triangles,
                                    const FlowSolution* flow) {
   std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   if (flow == nullptr || flow->wall.empty()) return tractions;
-  const FaceCentres centres{flow->wall};
-  FaceTree tree(3, centres);
-  tree.buildIndex();
+  const RegionalFaces faces(flow->wall);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const SurfaceRegion region = lumen.region[triangles[k]];
     const Vec3 centre = lumen.centre(triangles[k]);
-    std::uint32_t nearest = 0;
-    double squaredDistance = 0;
-    tree.knnSearch(centre.data(), 1, &nearest, &squaredDistance);
-    tractions[k] = flow->wall[nearest].traction;
+    auto nearest = faces.nearest(centre, region, 1);
+    if (nearest.empty()) nearest = faces.nearest(centre, otherThan(region), 1);
+    if (!nearest.empty()) tractions[k] = nearest.front().face->traction;
   }
   return tractions;
 }

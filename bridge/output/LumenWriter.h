@@ -11,8 +11,9 @@ namespace restenosis {
 /// region (0 wall, 1 strut), WSS (magnitude) and traction (vector) [Pa] on its triangles, and lumenRadius
 /// (distance from the vessel's axis) [m] on its points.
 ///
-/// A triangle carries the traction of the flow's nearest wall face, whatever the flow's own faces are; NaN,
-/// that is "not known", when `flow` is null or has no faces. `time` is in s. Throws WriteFailed.
+/// A triangle carries the traction of the flow's nearest face of its region (of the other one where the flow
+/// has none), whatever the flow's own faces are; NaN, that is "not known", when `flow` is null or has no
+/// faces. `time` is in s. Throws WriteFailed.
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
                 double time);
 

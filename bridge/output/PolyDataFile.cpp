@@ -7,13 +7,14 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "AtomicFile.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
 void writePolyData(const std::filesystem::path& file, vtkPolyData* data, double time) {
   vtkNew<vtkDoubleArray> timeValue;
   timeValue->SetName("TimeValue");
-  timeValue->InsertNextValue(time / 86400.0);
+  timeValue->InsertNextValue(time / secondsPerDay);
   data->GetFieldData()->AddArray(timeValue);
 
   vtkNew<vtkXMLPolyDataWriter> writer;

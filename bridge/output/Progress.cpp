@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SecondsPerDay.h"
+
 namespace restenosis {
 
 namespace {
@@ -44,8 +46,8 @@ void Progress::step(const ProgressState& s, bool recorded) {
   const auto left = timeLeft(s.time);
   const bool due = recorded && (!shown_ || now_() - *shown_ >= recordedInterval);
   show(fmt::format("day {:5.2f}/{:.4g}  {} agents  G0 {}  G1 {}  S/G2/M {}  divisions {}  flow solves {}{}",
-                   s.time / 86400, duration_ / 86400, s.agents, s.g0, s.g1, s.sg2m, s.divisions, s.flowSolves,
-                   left),
+                   s.time / secondsPerDay, duration_ / secondsPerDay, s.agents, s.g0, s.g1, s.sg2m,
+                   s.divisions, s.flowSolves, left),
        due || s.time >= duration_);
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "AtomicFile.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
@@ -39,7 +40,7 @@ void PvdSeries::write() const {
       "  <Collection>\n";
   for (const auto& entry : entries_)
     text += fmt::format("    <DataSet timestep=\"{:.10g}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-                        entry.time / 86400.0, relativeFile(entry.step));
+                        entry.time / secondsPerDay, relativeFile(entry.step));
   text += "  </Collection>\n</VTKFile>\n";
   atomicWrite(index(), text);
 }

@@ -4,6 +4,7 @@
 
 #include "AtomicFile.h"
 #include "CsvText.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
@@ -22,8 +23,8 @@ void addRow(CsvText& csv, const TimeSeriesRow& row) {
       try {
         csv.field(value, scale);
       } catch (const std::invalid_argument& error) {
-        throw WriteFailed(
-            fmt::format("time series, day {:.4g}, column {}: {}", row.time / 86400.0, column, error.what()));
+        throw WriteFailed(fmt::format("time series, day {:.4g}, column {}: {}", row.time / secondsPerDay,
+                                      column, error.what()));
       }
     }
   });

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "SecondsPerDay.h"
+
 namespace restenosis {
 
 /// What is recorded of one step (model 10). SI units; an empty optional is a quantity that is not known, such
@@ -32,7 +34,7 @@ struct TimeSeriesRow {
   /// Calls f(column, value, scale) for every column in the order of the file; value times scale is written.
   template <class F>
   void forEachColumn(F&& f) {
-    f("day", time, 1.0 / 86400.0);
+    f("day", time, 1.0 / secondsPerDay);
     f("agents", agents, 1.0), f("smc", smc, 1.0), f("divisions", divisions, 1.0);
     f("neointimaThickness_um", neointimaThickness, 1e6);
     f("neointimaAreaFraction", neointimaAreaFraction, 1.0);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "NameList.h"
+
 namespace restenosis {
 namespace {
 
@@ -29,12 +31,6 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-std::string joined(const std::vector<std::string_view>& names) {
-  std::string list;
-  for (const auto name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
-}
-
 }  // namespace
 
 std::string nearestName(std::string_view name, const std::vector<std::string_view>& allowed) {
@@ -53,7 +49,7 @@ std::string nearestName(std::string_view name, const std::vector<std::string_vie
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& allowed) {
   const std::string nearest = nearestName(name, allowed);
   return fmt::format("{} Allowed: {}", nearest.empty() ? "." : fmt::format("; did you mean '{}'?", nearest),
-                     joined(allowed));
+                     commaSeparated(allowed));
 }
 
 }  // namespace restenosis

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ParameterVisitor.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
@@ -43,8 +44,8 @@ struct OutputParameters {
   static constexpr std::string_view section = "output";
   static constexpr std::string_view summary = "What is written, and how often";
 
-  double interval = 86400;            ///< between recorded states [s]
-  double checkpointInterval = 86400;  ///< of simulated time [s]
+  double interval = secondsPerDay;            ///< between recorded states [s]
+  double checkpointInterval = secondsPerDay;  ///< of simulated time [s]
   std::string keepFlowCases = "last";
   bool pictures = true;
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "Trimmed.h"
+
 namespace restenosis {
 namespace {
 
@@ -27,12 +29,6 @@ decltype(GivenValue::value) valueOf(const toml::node& node) {
     default:
       return UnusableValue{"a date or time"};
   }
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// A value as typed after `--set key=`: TOML if it is one value of TOML, else the bare text.

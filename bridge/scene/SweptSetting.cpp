@@ -5,17 +5,13 @@
 #include <stdexcept>
 
 #include "FlowBackendNames.h"
+#include "Trimmed.h"
 
 namespace restenosis {
 namespace {
 
 /// Times the scene's own value, the most accurate first.
 constexpr double factors[] = {0.25, 0.5, 1, 2, 4};
-
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
-}
 
 }  // namespace
 
@@ -27,7 +23,7 @@ SweptSetting readSweptSetting(std::string_view text) {
     std::string_view rest = text.substr(equals + 1);
     for (;;) {
       const auto comma = rest.find(',');
-      swept.values.push_back(trimmed(rest.substr(0, comma)));
+      swept.values.emplace_back(trimmed(rest.substr(0, comma)));
       if (comma == std::string_view::npos) break;
       rest.remove_prefix(comma + 1);
     }

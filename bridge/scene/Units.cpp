@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "Trimmed.h"
+
 namespace restenosis {
 namespace {
 
@@ -38,12 +40,6 @@ constexpr std::pair<std::string_view, std::string_view> dimensionNames[] = {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 std::string spelledPlainly(std::string_view text) {
   std::string plain(text);

@@ -57,9 +57,10 @@ NearestTriangle::Place NearestTriangle::at(const Vec3& point) const {
   Place best{onTriangle(first, point), 0.0, first};
   best.distance = (best.point - point).norm();
   // A triangle that comes nearer has its centre at most this far away
-  for (const std::size_t t : centres_.within(point, (best.distance + reach_) * (1.0 + 1e-9))) {
-    const Vec3 place = onTriangle(t, point);
-    if (const double distance = (place - point).norm(); distance < best.distance) best = {place, distance, t};
+  for (const auto& near : centres_.within(point, (best.distance + reach_) * (1.0 + 1e-9))) {
+    const Vec3 place = onTriangle(near.index, point);
+    if (const double distance = (place - point).norm(); distance < best.distance)
+      best = {place, distance, near.index};
   }
   return best;
 }

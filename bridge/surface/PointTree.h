@@ -33,12 +33,12 @@ class PointTree {
   }
 
   /// All of them nearer than `distance` [m], in the tree's order, which is fixed.
-  std::vector<std::size_t> within(const Vec3& place, double distance) const {
+  std::vector<Near> within(const Vec3& place, double distance) const {
     std::vector<std::pair<std::uint32_t, double>> found;
     if (!empty())
       tree_.radiusSearch(place.data(), distance * distance, found, nanoflann::SearchParams(0, 0.0f, false));
-    std::vector<std::size_t> result;
-    for (const auto& [index, square] : found) result.push_back(index);
+    std::vector<Near> result;
+    for (const auto& [index, square] : found) result.push_back({index, std::sqrt(square)});
     return result;
   }
 

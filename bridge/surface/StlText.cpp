@@ -9,22 +9,18 @@
 #include <string>
 #include <system_error>
 
+#include "Trimmed.h"
+
 namespace restenosis {
 namespace {
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view blanks = " \t\v\f\r";
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// Takes the first word off a trimmed text.
 std::string_view takeWord(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text = trimmed(text.substr(word.size()));
+  text = trimmed(text.substr(word.size()), blanks);
   return word;
 }
 
@@ -64,7 +60,7 @@ class StlTextParser {
     while (!text_.empty()) {
       ++number_;
       const auto end = text_.find(lineEnd_);
-      line_ = trimmed(text_.substr(0, end));
+      line_ = trimmed(text_.substr(0, end), blanks);
       text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
       if (line_.empty()) continue;
       arguments_ = line_;

@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 
+#include "SurfaceEnds.h"
+
 namespace restenosis {
 namespace {
 
@@ -30,31 +32,14 @@ bool isIndexed(const TriSurface& s, SurfaceReport& report) {
   return good && !s.triangles.empty();
 }
 
-/// Counts how often each edge is run along forwards and backwards.
 void checkEdges(const TriSurface& s, SurfaceReport& report) {
-  struct Edge {
-    std::uint64_t key;
-    bool forward;
+  const SurfaceEdges edges = surfaceEdges(s);
+  const auto say = [&](std::size_t count, fmt::format_string<std::size_t&> what) {
+    if (count > 0) report.violations.push_back(fmt::format(what, count));
   };
-  std::vector<Edge> edges;
-  edges.reserve(3 * s.triangles.size());
-  for (const auto& t : s.triangles)
-    for (int c = 0; c < 3; ++c) {
-      const std::uint64_t a = t[c], b = t[(c + 1) % 3];
-      edges.push_back({std::min(a, b) << 32 | std::max(a, b), a < b});
-    }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.key < b.key; });
-  std::size_t open = 0, multiple = 0, opposed = 0;
-  for (std::size_t first = 0, last; first < edges.size(); first = last) {
-    for (last = first; last < edges.size() && edges[last].key == edges[first].key;) ++last;
-    if (last - first == 1) ++open;
-    if (last - first > 2) ++multiple;
-    if (last - first == 2 && edges[first].forward == edges[first + 1].forward) ++opposed;
-  }
-  if (open) report.violations.push_back(fmt::format("{} edges have only one triangle (a hole)", open));
-  if (multiple) report.violations.push_back(fmt::format("{} edges have more than two triangles", multiple));
-  if (opposed)
-    report.violations.push_back(fmt::format("{} edges join triangles of opposite orientation", opposed));
+  say(edges.open.size(), "{} edges have only one triangle (a hole)");
+  say(edges.crowded, "{} edges have more than two triangles");
+  say(edges.opposed, "{} edges join triangles of opposite orientation");
 }
 
 void checkShapes(const TriSurface& s, SurfaceReport& report) {

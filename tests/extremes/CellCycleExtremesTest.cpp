@@ -53,12 +53,23 @@ TEST(CellCycleExtremes, OnePhaseOfNoLength) {
 
 TEST(CellCycleExtremes, AStepOfADay) { EXPECT_EQ(grow(phases(16 * 3600, 16 * 3600), 86400, 8).size(), 64u); }
 
+/// Cells after `time`, of one that begins its cycle now: followed through its pedigree in time, not in steps.
+std::size_t cellsAfter(double time, const CellCycle& cycle, double sg2m, AgentId id,
+                       std::uint32_t generation = 0) {
+  time -= cycle.drawG1Duration(id, generation) + sg2m;
+  if (time < 0) return 1;
+  return cellsAfter(time, cycle, sg2m, id, generation + 1) +
+         cellsAfter(time, cycle, sg2m, daughterId(id, generation + 1), generation + 1);
+}
+
 TEST(CellCycleExtremes, ASpreadWiderThanTheMeanNeverGivesANegativeLength) {
   CellCycleParameters parameters = phases(3600, 3600);
   parameters.g1Spread = 100 * 3600;
-  const CellCycle cycle(parameters, 1, 3600, std::numeric_limits<double>::infinity());
+  const CellCycle cycle(parameters, BiologySettings().seed, 3600, std::numeric_limits<double>::infinity());
   for (AgentId id = 0; id < 1000; ++id) EXPECT_GE(cycle.drawG1Duration(id, 0), 0);
-  EXPECT_GE(grow(parameters, 3600, 40).size(), 1u);
+  const std::size_t cells = grow(parameters, 3600, 40).size();
+  EXPECT_GT(cells, 1u);
+  EXPECT_EQ(cells, cellsAfter(40 * 3600, cycle, parameters.sg2mDuration, 0));
 }
 
 }  // namespace

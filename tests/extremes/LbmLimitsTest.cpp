@@ -170,5 +170,17 @@ TEST(LbmLimits, latticeTooLargeForMemoryIsRefusedBeforeItIsMade) {
   EXPECT_NE(refusal(tube(tubeRadius, tubeLength), flowing(0.1), settings).find("dx"), std::string::npos);
 }
 
+TEST(LbmLimits, aWordThatIsNoneIsNotTakenForTheDefault) {
+  for (const auto& [key, member] : {std::pair{"stress", &LbmSettings::stress},
+                                    {"wall", &LbmSettings::wall},
+                                    {"collision", &LbmSettings::collision},
+                                    {"precision", &LbmSettings::precision}}) {
+    LbmSettings settings = coarse();
+    settings.*member = "othr";
+    const std::string said = refusal(tube(tubeRadius, tubeLength), flowing(0.1), settings);
+    EXPECT_NE(said.find(std::string("unknown lbm.") + key + " 'othr'; known: "), std::string::npos) << said;
+  }
+}
+
 }  // namespace
 }  // namespace restenosis

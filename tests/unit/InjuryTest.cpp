@@ -201,6 +201,16 @@ TEST(Injury, DenudationDecidesTheEndothelium) {
   }
 }
 
+TEST(Injury, AWordThatIsNoneIsRefused) {
+  Wall wall = stretchedWall(0.2, 0);
+  InjuryParameters parameters;
+  parameters.denudation = "ful";
+  EXPECT_THROW(injure(wall, parameters, 1), std::invalid_argument);
+  parameters = InjuryParameters();
+  parameters.synthetic = "al";
+  EXPECT_THROW(injure(wall, parameters, 1), std::invalid_argument);
+}
+
 TEST(Injury, DependsOnIdsNotOnTheOrderOfAgents) {
   Wall wall = stretchedWall(0.1, 0.05), ordered = wall;
   orderInSpace(ordered);

@@ -54,5 +54,35 @@ TEST(LumenFile, whatIsNoLumenIsRefused) {
   EXPECT_THROW(readLumen(folder / "lumen.vtp"), std::runtime_error);
 }
 
+std::string refusalOf(const TriSurface& lumen) {
+  const TemporaryFolder folder;
+  writeLumen(folder / "lumen.vtp", lumen, nullptr, 0.0);
+  try {
+    readLumen(folder / "lumen.vtp");
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LumenFile, saysWhatIsWrongWithALumen) {
+  const TriSurface whole = tube(vesselRadius, vesselLength);
+  EXPECT_EQ(refusalOf(whole), "");
+  TriSurface holed = whole;
+  // Two holes in one corner: rims that touch are told apart.
+  for (const std::size_t t : {902u, 900u}) {
+    holed.triangles.erase(holed.triangles.begin() + t);
+    holed.region.erase(holed.region.begin() + t);
+  }
+  EXPECT_NE(refusalOf(holed).find("the lumen has a hole at z = "), std::string::npos) << refusalOf(holed);
+  TriSurface turned = whole;
+  std::swap(turned.triangles[900][0], turned.triangles[900][1]);
+  EXPECT_NE(refusalOf(turned).find("face opposite ways"), std::string::npos) << refusalOf(turned);
+  TriSurface closed = whole;
+  for (SurfaceRegion& region : closed.region)
+    if (region == SurfaceRegion::inlet) region = SurfaceRegion::wall;
+  EXPECT_NE(refusalOf(closed).find("has not two open ends"), std::string::npos) << refusalOf(closed);
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -12,6 +12,7 @@
 #include "LumenWriter.h"
 #include "SyntheticResults.h"
 #include "TemporaryFolder.h"
+#include "TubeSurface.h"
 
 namespace restenosis {
 namespace {
@@ -21,6 +22,7 @@ class LumenWriter : public ::testing::Test {
   vtkPolyData* written(const TriSurface& lumen, const FlowSolution* flow) {
     writeLumen(folder_ / "lumen.vtp", lumen, flow, 0);
     reader_->SetFileName((folder_ / "lumen.vtp").c_str());
+    reader_->Modified();  // the file may have been written before
     reader_->Update();
     return reader_->GetOutput();
   }
@@ -76,6 +78,31 @@ TEST_F(LumenWriter, CarriesTheNearestFacesTraction) {
       ASSERT_FLOAT_EQ(static_cast<float>(traction->GetComponent(t, 1)), 0.3f);
     }
   }
+}
+
+TEST_F(LumenWriter, BesideAStrutTheWallShowsTheWallsStress) {
+  const auto lumen = support::stentedTube(0.9e-3, 1.2e-3, 90e-6);
+  FlowSolution flow;
+  const auto addFace = [&](std::size_t t, double stress) {
+    flow.wall.push_back({lumen.centre(t), lumen.areaVector(t).norm(), {0, 0, stress}, lumen.region[t]});
+  };
+  // Struts are resolved finely, the wall coarsely, so that the nearest face of a wall's triangle beside a
+  // strut is one of the strut.
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
+    if (lumen.region[t] == SurfaceRegion::strut) addFace(t, 5);
+    if (lumen.region[t] == SurfaceRegion::wall && std::abs(lumen.centre(t).z() - 0.6e-3) > 0.4e-3)
+      addFace(t, 1);
+  }
+  auto* cells = written(lumen, &flow)->GetCellData();
+  const auto shown = [&](vtkIdType t) { return cells->GetArray("WSS")->GetTuple1(t); };
+  const auto expectByRegion = [&](double wall, double strut) {
+    for (vtkIdType t = 0; t < cells->GetNumberOfTuples(); ++t)
+      ASSERT_EQ(shown(t), cells->GetArray("region")->GetTuple1(t) == 1.0 ? strut : wall);
+  };
+  expectByRegion(1, 5);
+  std::erase_if(flow.wall, [](const WallFace& face) { return face.region == SurfaceRegion::strut; });
+  cells = written(lumen, &flow)->GetCellData();
+  expectByRegion(1, 1);  // a flow in which no strut was bare
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "Constants.h"
 #include "RandomStream.h"
 #include "WallBonds.h"
@@ -33,17 +35,24 @@ TEST(WallBonds, RestLengthOfAnOverlappingPairIsItsDistance) {
 }
 
 TEST(WallBonds, KeepsTheNearestTwelve) {
-  std::vector<std::pair<AgentKind, Vec3>> places = {{AgentKind::smc, Vec3::Zero()}};
-  for (int n = 0; n < 20; ++n) {
-    places.emplace_back(AgentKind::smc,
-                        RandomStream(1, n, 0, RandomPurpose::packing).direction() * (1.5 + 0.02 * n) * r);
+  // Twenty cells around one that is large, so that all are in its range and none in another's. Which is how
+  // near has nothing to do with their order.
+  constexpr Index around = 20;
+  const auto rank = [](Index n) { return 7 * n % around; };
+  Wall wall;
+  wall.cellRadius = r;
+  wall.agents.append(AgentKind::smc, Vec3::Zero(), 4 * r);
+  for (Index n = 0; n < around; ++n) {
+    const double height = 1 - (2.0 * n + 1) / around, angle = pi * (3 - std::sqrt(5.0)) * n;
+    const double across = std::sqrt(1 - height * height);
+    wall.agents.append(
+        AgentKind::smc,
+        (5 + 0.02 * rank(n)) * r * Vec3(across * std::cos(angle), across * std::sin(angle), height), r);
   }
-  Wall wall = wallOf(places);
-  // Only pairs with the centre are this near, apart from accidental neighbours among the others.
-  bondWall(wall, 1.1);
-  EXPECT_LE(wall.bonds.of(0).size(), BondTable::maxBonds);
-  EXPECT_TRUE(wall.bonds.bonded(0, 1));
-  for (Index i = 0; i < wall.bonds.size(); ++i) EXPECT_LE(wall.bonds.of(i).size(), BondTable::maxBonds);
+  EXPECT_EQ(bondWall(wall, 1.1), BondTable::maxBonds);
+  EXPECT_EQ(wall.bonds.of(0).size(), 12u);
+  for (Index n = 0; n < around; ++n)
+    EXPECT_EQ(wall.bonds.bonded(0, n + 1), rank(n) < 12) << "neighbour " << rank(n);
 }
 
 TEST(WallBonds, DoNotDependOnTheOrderOfAgents) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "AgentStore.h"
@@ -13,16 +14,25 @@ namespace restenosis {
 /// number of threads.
 inline constexpr std::ptrdiff_t chunkSize = 256;
 
-/// Shorter loops are not worth waking other threads for: those over work, and those that only look.
+/// Shorter loops are not worth waking other threads for: those over work, those that only look, and those in
+/// which each element takes microseconds, which also need smaller pieces to keep all threads at work.
 inline constexpr std::ptrdiff_t parallelFrom = 2048, parallelLookFrom = 16384;
+inline constexpr std::ptrdiff_t parallelHeavyFrom = 512, heavyChunkSize = 64;
 
 /// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel where count >= from.
 template <class F>
-void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
+void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom,
+                  std::ptrdiff_t size = chunkSize) {
   const auto end = static_cast<std::ptrdiff_t>(count);
 #pragma omp parallel for schedule(dynamic) if (end >= from)
-  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize)
-    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)));
+  for (std::ptrdiff_t begin = 0; begin < end; begin += size)
+    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + size)));
+}
+
+/// The same for elements that each take microseconds.
+template <class F>
+void forEachHeavyPiece(std::size_t count, F&& f) {
+  forEachPiece(count, std::forward<F>(f), parallelHeavyFrom, heavyChunkSize);
 }
 
 /// Calls f(k) for k in [0, count), pieces in parallel.

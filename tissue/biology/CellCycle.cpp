@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ParallelThreshold.h"
+#include "Chunks.h"
 #include "RandomStream.h"
 
 namespace restenosis {
@@ -85,10 +85,10 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) co
 std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report, double time) const {
   // Each cell reads and writes itself only, so the order in which cells are taken cannot matter.
   std::vector<std::uint8_t> passed(agents.size(), 0);
-#pragma omp parallel for schedule(static) if (agents.size() > parallelThreshold)
-  for (Index i = 0; i < agents.size(); ++i) {
+  forEachInChunks(agents.size(), [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
     if (agents.kind[i] == AgentKind::smc && !agents.has(i, fixed)) passed[i] = advanceCell(agents, i, time);
-  }
+  });
 
   std::vector<Index> dividing;
   for (Index i = 0; i < agents.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "ParallelThreshold.h"
+#include "Chunks.h"
 
 namespace restenosis {
 
@@ -49,23 +49,23 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
   }
   if (!places.empty() || anyNew) {
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
-#pragma omp parallel for schedule(dynamic, 64) if (places.size() > parallelThreshold)
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const auto [centre, radius] = places[k];
-      neighbours.forEachWithin(range_, centre, radius, [&](Index j, const Vec3&, double distance) {
-        const bool near = distance <= nearRange * (radius + reference_.shapes().radius[j]);
-        if (near || !(marks[j] & coveredByNear)) std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
-      });
-    }
+    forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto [centre, radius] = places[k];
+        neighbours.forEachWithin(range_, centre, radius, [&](Index j, const Vec3&, double distance) {
+          const bool near = distance <= nearRange * (radius + reference_.shapes().radius[j]);
+          if (near || !(marks[j] & coveredByNear))
+            std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
+        });
+      }
+    });
     for (Index i = 0; i < agents.size(); ++i) {
       if (due[i] && couldUse(agents, i)) cells.push_back(i);
     }
-#pragma omp parallel if (cells.size() > parallelThreshold)
-    {
+    forEachHeavyPiece(cells.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<ContactNeighbour> scratch;
-#pragma omp for schedule(dynamic, 64)
-      for (std::size_t k = 0; k < cells.size(); ++k) marks[cells[k]] = judge(neighbours, cells[k], scratch);
-    }
+      for (std::size_t k = begin; k < end; ++k) marks[cells[k]] = judge(neighbours, cells[k], scratch);
+    });
   }
   report.evaluated = static_cast<Index>(cells.size());
 
@@ -93,24 +93,6 @@ std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Inde
   if (surroundings.exposed) mark |= isExposed;
   if (law_ && law_->inhibits(surroundings)) mark |= isInhibited;
   return mark;
-}
-
-std::vector<double> ContactInhibition::exposedShares(const AgentStore& agents,
-                                                     const ContactInhibitionParameters& parameters,
-                                                     double vesselLength) {
-  const ExposureMeasure measure(parameters);
-  const MirroredNeighbours neighbours(AgentShapes::of(agents), measure.range(), vesselLength);
-  std::vector<double> shares(agents.size());
-#pragma omp parallel if (agents.size() > parallelThreshold)
-  {
-    std::vector<ContactNeighbour> scratch;
-#pragma omp for schedule(dynamic, 64)
-    for (Index i = 0; i < agents.size(); ++i) {
-      neighbours.gather(i, measure.range(), scratch);
-      shares[i] = measure.share(agents.radius[i], scratch);
-    }
-  }
-  return shares;
 }
 
 }  // namespace restenosis

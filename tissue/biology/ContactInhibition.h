@@ -36,11 +36,6 @@ class ContactInhibition {
 
   InhibitionReport evaluate(AgentStore& agents);
 
-  /// Share of free directions of any agent of `agents`, at its present place.
-  static std::vector<double> exposedShares(const AgentStore& agents,
-                                           const ContactInhibitionParameters& parameters,
-                                           double vesselLength);
-
   template <class Archive>
   void archive(Archive& a) {
     a(reference_);

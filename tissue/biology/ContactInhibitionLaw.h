@@ -39,13 +39,7 @@ class ContactInhibitionLaw {
   virtual bool inhibits(const Surroundings& surroundings) const = 0;
 };
 
-/// A law as a scene names it. To add one: write its file and a row of the table in ContactInhibitionLaw.cpp.
-struct ContactInhibitionLawEntry {
-  std::string_view name;
-  std::unique_ptr<const ContactInhibitionLaw> (*make)(const ContactInhibitionParameters&);
-};
-
-std::span<const ContactInhibitionLawEntry> contactInhibitionLaws();
+/// The laws a scene may name. To add one: write its file and a row of the table in ContactInhibitionLaw.cpp.
 std::vector<std::string_view> contactInhibitionLawNames();
 /// The law that `parameters.law` names; throws std::invalid_argument naming the laws there are.
 std::unique_ptr<const ContactInhibitionLaw> makeContactInhibitionLaw(

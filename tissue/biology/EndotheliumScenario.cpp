@@ -1,19 +1,16 @@
 #include "EndotheliumScenario.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <stdexcept>
 
-#include "NameList.h"
+#include "NamedTable.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
 namespace {
 
-constexpr double day = 86400;
+constexpr double day = secondsPerDay;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // ISR3D gives the two ends of fast, normal and slow; nothing before day 3 and a straight line are assumed.
@@ -36,19 +33,10 @@ double EndotheliumScenario::coverage(double time) const {
 
 std::span<const EndotheliumScenario> endotheliumScenarios() { return scenarios; }
 
-std::vector<std::string_view> endotheliumScenarioNames() {
-  std::vector<std::string_view> names;
-  for (const auto& scenario : scenarios) names.push_back(scenario.name);
-  return names;
-}
+std::vector<std::string_view> endotheliumScenarioNames() { return namesOf(scenarios); }
 
 const EndotheliumScenario& endotheliumScenario(std::string_view name) {
-  const auto found = std::ranges::find(scenarios, name, &EndotheliumScenario::name);
-  if (found == scenarios.end()) {
-    throw std::invalid_argument(fmt::format("unknown endothelium scenario \"{}\"; there are: {}", name,
-                                            commaSeparated(endotheliumScenarioNames())));
-  }
-  return *found;
+  return findNamed(scenarios, "endothelium scenario", name);
 }
 
 }  // namespace restenosis

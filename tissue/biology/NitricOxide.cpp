@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ParallelThreshold.h"
+#include "Chunks.h"
 
 namespace restenosis {
 
@@ -50,11 +50,11 @@ double NitricOxide::wssForNitricOxide(double threshold) const {
 }
 
 void NitricOxide::apply(AgentStore& agents) const {
-#pragma omp parallel for schedule(static) if (agents.size() > parallelThreshold)
-  for (Index i = 0; i < agents.size(); ++i) {
+  forEachInChunks(agents.size(), [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
     const bool produces = agents.kind[i] == AgentKind::smc && agents.has(i, covered);
     agents.nitricOxide[i] = produces ? concentration(agents.wss[i]) : 0.0;
-  }
+  });
 }
 
 }  // namespace restenosis

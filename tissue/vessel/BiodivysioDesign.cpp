@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "StentDesign.h"
@@ -22,6 +24,16 @@ std::vector<StrutSegment> buildBiodivysio(const StentParameters& stent, const St
     }
   }
   return segments;
+}
+
+std::vector<ParameterProblem> checkBiodivysio(const StentParameters& stent, const VesselParameters&) {
+  auto problems = checkRingsOf(stent.strutWidth + 2 * stent.ringAmplitude, stent);
+  if (stent.linkCount > stent.ringWaves) {
+    problems.push_back(
+        {"stent.linkCount", fmt::format("{} links need as many crests, but a ring has {} (stent.ringWaves)",
+                                        stent.linkCount, stent.ringWaves)});
+  }
+  return problems;
 }
 
 }  // namespace restenosis

@@ -1,8 +1,15 @@
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "StentDesign.h"
 
 namespace restenosis {
+namespace {
+
+constexpr double mm = 1e-3;
+
+}  // namespace
 
 std::vector<StrutSegment> buildHelix(const StentParameters& stent, const StentLayout& layout) {
   std::vector<StrutSegment> segments;
@@ -10,6 +17,12 @@ std::vector<StrutSegment> buildHelix(const StentParameters& stent, const StentLa
   appendLine(segments, {0, middle - reach}, {2 * std::numbers::pi * stent.helixTurns, middle + reach}, stent,
              layout);
   return segments;
+}
+
+std::vector<ParameterProblem> checkHelix(const StentParameters& stent, const VesselParameters&) {
+  if (stent.strutWidth * stent.helixTurns <= stent.length - stent.strutWidth) return {};
+  return {{"stent.helixTurns", fmt::format("{:.4g} turns of a strut {:.4g} mm wide overlap on {:.4g} mm",
+                                           stent.helixTurns, stent.strutWidth / mm, stent.length / mm)}};
 }
 
 }  // namespace restenosis

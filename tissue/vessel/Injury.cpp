@@ -130,7 +130,7 @@ class Injurer {
 
   /// Cells become synthetic within reach of injured agents, and of the whole IEL where it is to be removed.
   void makeNeighboursSynthetic() {
-    const bool everyCell = parameters_.synthetic == "all";
+    const bool everyCell = parameters_.everyCellSynthetic();
     const CellGrid grid(agents_, 2 * std::max(parameters_.syntheticReach, 1.0) * wall_.cellRadius);
     NeighbourQuery query(agents_, grid);
     const auto becomeSynthetic = [&](Index i) {
@@ -155,7 +155,7 @@ class Injurer {
   }
 
   void setEndothelium() {
-    const bool kept = parameters_.denudation == "none";
+    const bool kept = !parameters_.denuded();
     for (Index i = 0; i < agents_.size(); ++i) {
       const bool lumenFacing = agents_.kind[i] == AgentKind::iel || agents_.has(i, injuredIel);
       agents_.set(i, covered, kept && lumenFacing);

@@ -1,6 +1,24 @@
 #include "InjuryParameters.h"
 
+#include <array>
+
+#include "NamedTable.h"
+
 namespace restenosis {
+namespace {
+
+constexpr std::array synthetics{Named<bool>{"nearInjury", false}, Named<bool>{"all", true}};
+constexpr std::array denudations{Named<bool>{"full", true}, Named<bool>{"none", false}};
+
+}  // namespace
+
+bool InjuryParameters::everyCellSynthetic() const {
+  return findNamed(synthetics, "injury.synthetic", synthetic).value;
+}
+
+bool InjuryParameters::denuded() const {
+  return findNamed(denudations, "injury.denudation", denudation).value;
+}
 
 void InjuryParameters::describe(ParameterVisitor& p) {
   p.boolean(ielBreaks, {.key = "ielBreaks",
@@ -52,9 +70,9 @@ void InjuryParameters::describe(ParameterVisitor& p) {
                               .source = "assumed",
                               .description = "cells within this times R1 + R2 of an injured IEL agent become "
                                              "synthetic"});
-  p.choice(synthetic, {"nearInjury", "all"},
+  p.choice(synthetic, namesOf(synthetics),
            {.key = "synthetic", .source = "T6", .description = "which cells may cycle"});
-  p.choice(denudation, {"full", "none"},
+  p.choice(denudation, namesOf(denudations),
            {.key = "denudation", .source = "T6", .description = "whether deployment strips the endothelium"});
   p.boolean(removeIel, {.key = "removeIel",
                         .source = "assumed",

@@ -20,11 +20,16 @@ struct InjuryParameters {
   double stretchedStrain = 0.045;  ///< where the IEL is stretched more is "the stretched region"
   double endMargin = 0.2e-3;       ///< [m] the IEL nearer a fixed end is never injured
   double syntheticReach = 1.5;     ///< SMC within this times R1 + R2 of an injured IEL agent become synthetic
-  std::string synthetic = "nearInjury";  ///< or "all"
-  std::string denudation = "full";       ///< endothelium stripped: "full" or "none"
+  std::string synthetic = "nearInjury";  ///< see everyCellSynthetic
+  std::string denudation = "full";       ///< see denuded
   bool removeIel = false;                ///< take the whole IEL away before growth
 
   void describe(ParameterVisitor& p);
+  /// What `synthetic` and `denudation` say: whether all cells may cycle and not only those near an injury,
+  /// and whether deployment strips the endothelium. Throw std::invalid_argument for a word that is none of
+  /// theirs.
+  bool everyCellSynthetic() const;
+  bool denuded() const;
 };
 
 }  // namespace restenosis

@@ -21,8 +21,6 @@ class OuterConfinement : public Constraint {
 
   void project(const AgentStore& agents, Index i, Vec3& position) const override;
   void release(const AgentStore& agents, Index i, Vec3& force) const override;
-  /// Distance of the EEL from the axis at the point's angle and place along the vessel [m].
-  double surfaceRadius(const Vec3& point) const { return map_.at(point); }
 
  private:
   /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.

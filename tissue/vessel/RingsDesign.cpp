@@ -1,6 +1,13 @@
+#include <fmt/format.h>
+
 #include "StentDesign.h"
 
 namespace restenosis {
+namespace {
+
+constexpr double mm = 1e-3;
+
+}  // namespace
 
 std::vector<StrutSegment> buildRings(const StentParameters& stent, const StentLayout& layout) {
   std::vector<StrutSegment> segments;
@@ -8,6 +15,17 @@ std::vector<StrutSegment> buildRings(const StentParameters& stent, const StentLa
     appendRing(segments, z, 0, 0, 0, stent, layout);
   }
   return segments;
+}
+
+std::vector<ParameterProblem> checkRings(const StentParameters& stent, const VesselParameters&) {
+  return checkRingsOf(stent.strutWidth, stent);
+}
+
+std::vector<ParameterProblem> checkRingsOf(double extent, const StentParameters& stent) {
+  if (extent * static_cast<double>(stent.ringCount) <= stent.length) return {};
+  return {{"stent.ringCount",
+           fmt::format("{} rings, each {:.4g} mm along the vessel, do not fit a stent of {:.4g} mm",
+                       stent.ringCount, extent / mm, stent.length / mm)}};
 }
 
 }  // namespace restenosis

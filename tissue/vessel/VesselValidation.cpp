@@ -54,20 +54,14 @@ class Validation {
                       "vessel.lumenDiameter); allowed is less",
                       s.strutThickness / mm, v.lumenDiameter / 2 / mm));
     }
-    if (!stentDesign(s.design).spansLength) {
-      if (s.strutWidth > v.length) {
-        add("stent.strutWidth", fmt::format("a strut {:.4g} mm wide does not fit a vessel of {:.4g} mm",
-                                            s.strutWidth / mm, v.length / mm));
-      }
-      return;
-    }
-    if (s.length > v.length) {
+    const StentDesign& design = stentDesign(s.design);
+    if (design.spansLength && s.length > v.length) {
       add("stent.length",
           fmt::format("a stent of {:.4g} mm is longer than the vessel ({:.4g} mm); allowed is "
                       "at most vessel.length",
                       s.length / mm, v.length / mm));
     }
-    checkLayout(s);
+    for (ParameterProblem& problem : design.check(s, v)) problems.push_back(std::move(problem));
   }
 
  private:
@@ -90,25 +84,6 @@ class Validation {
               "{:.4g} um is beyond the wall: at most {:.4g} um leave the EEL (vessel.wallThickness less "
               "a cell's diameter)",
               s.deploymentDepth / um, deepest / um));
-    }
-  }
-
-  void checkLayout(const StentParameters& s) {
-    const bool sinusoidal = s.design == "biodivysio";
-    const double extent = s.strutWidth + (sinusoidal ? 2 * s.ringAmplitude : 0.0);
-    if (s.design == "helix") {
-      if (s.strutWidth * s.helixTurns > s.length - s.strutWidth) {
-        add("stent.helixTurns", fmt::format("{:.4g} turns of a strut {:.4g} mm wide overlap on {:.4g} mm",
-                                            s.helixTurns, s.strutWidth / mm, s.length / mm));
-      }
-    } else if (extent * static_cast<double>(s.ringCount) > s.length) {
-      add("stent.ringCount",
-          fmt::format("{} rings, each {:.4g} mm along the vessel, do not fit a stent of {:.4g} mm",
-                      s.ringCount, extent / mm, s.length / mm));
-    }
-    if (sinusoidal && s.linkCount > s.ringWaves) {
-      add("stent.linkCount", fmt::format("{} links need as many crests, but a ring has {} (stent.ringWaves)",
-                                         s.linkCount, s.ringWaves));
     }
   }
 };

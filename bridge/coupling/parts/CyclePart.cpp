@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SecondsPerDay.h"
+
 namespace restenosis {
 namespace {
 
 // Daughters stand at the end of the store, where those around them are far away in memory. By the calendar
 // and not by their number, so that nothing of it has to be remembered.
-constexpr double timeBetweenOrderings = 86400;  // [s]
+constexpr double timeBetweenOrderings = secondsPerDay;  // [s]
 
 }  // namespace
 

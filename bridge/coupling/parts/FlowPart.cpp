@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SecondsPerDay.h"
 #include "StressReaders.h"
 #include "SurfaceCheck.h"
 
@@ -47,7 +48,7 @@ void FlowPart::run(const Instant& now) {
   world_.flow.last = backend_->solve(lumen, conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
   for (const auto& remark : world_.flow.last->remarks)
-    world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / 86400, remark));
+    world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / secondsPerDay, remark));
   world_.flow.time = now.time;
   ++world_.flow.solves;
   if (world_.flow.last->meshMoved) ++world_.flow.meshesMoved;

@@ -1,12 +1,12 @@
 #include "FlowBackends.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "AnalyticBackend.h"
 #include "FlowBackendNames.h"
 #include "FoamBackend.h"
 #include "LbmBackend.h"
+#include "NameList.h"
 #include "StraightEnds.h"
 
 namespace restenosis {
@@ -44,7 +44,7 @@ std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBa
       return backend;
     }
   throw std::invalid_argument(fmt::format("there is no flow backend '{}'; valid names: {}", name,
-                                          fmt::join(flowBackendNames::all(), ", ")));
+                                          commaSeparated(flowBackendNames::all())));
 }
 
 }  // namespace restenosis

@@ -25,8 +25,10 @@ double estimatedCells(const LumenCase& lumen, const FoamSettings& s) {
          rows(lumen.strutArea, s.strutLevel);
 }
 
-/// FoamSettings::nonOrthogonal of the second attempt (assumed).
-constexpr double robustNonOrthogonal = 0.5;
+/// The second attempt (assumed): FoamSettings::nonOrthogonal, what its relaxation is multiplied by, and how
+/// many times the iterations of snapping and of the solver it may take.
+constexpr double robustNonOrthogonal = 0.5, robustRelaxation = 0.75;
+constexpr std::int64_t robustIterations = 2;
 
 /// Most cells of the background block; beyond, its cells are doubled and halved again inside the lumen.
 constexpr double blockCells = 1e6;
@@ -54,6 +56,85 @@ LumenEnds endsOf(const TriSurface& lumen) {
 /// Cells of the background block from the middle of the lumen to either side, one beyond it.
 long halfCells(double low, double high, double size) {
   return static_cast<long>(std::ceil(0.5 * (high - low) / size)) + 1;
+}
+
+void setLength(DictionaryText& parameters, std::string_view key, double metres) {
+  parameters.set(key, metres * perMetre);
+}
+
+/// What flows, and what drives it.
+void writeFlow(DictionaryText& parameters, const LumenCase& lumen, const FlowConditions& conditions) {
+  const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
+  parameters.set("kinematicViscosity", conditions.kinematicViscosity * perMetre * perMetre);
+  parameters.set("density", conditions.density);
+  parameters.set("drive", fixedFlow ? "flowRate" : "pressureGradient");
+  parameters.set("flowRate", conditions.flowRate * std::pow(perMetre, 3));
+  parameters.set("pressureDrop",
+                 conditions.pressureGradient * lumen.length() / conditions.density * perMetre * perMetre);
+}
+
+void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
+  const auto direction = [&](std::string_view key, const Vec3& v) {
+    parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
+  };
+  direction("inletCentre", profile.centre * perMetre);
+  direction("inletDirection", profile.direction);
+  direction("inletXAxis", profile.xAxis);
+  direction("inletYAxis", profile.yAxis);
+  setLength(parameters, "inletRadius", profile.radius);
+  parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
+}
+
+/// The background block: along the vessel from plane to plane where the ends are cut, elsewhere about the
+/// middle of the lumen.
+void writeBlock(DictionaryText& parameters, const LumenCase& lumen, double size) {
+  const bool inletCut = lumen.ends != LumenEnds::caps;
+  parameters.set("ends", lumen.ends == LumenEnds::cut ? "cut" : inletCut ? "inletCut" : "caps");
+  const Vec3 middle = 0.5 * (lumen.low + lumen.high);
+  for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
+    if (axis == 2 && inletCut) {
+      const double low = lumen.inlet.centre.z();
+      const bool both = lumen.ends == LumenEnds::cut;
+      const long cells = both ? std::max(1L, std::lround(lumen.length() / size))
+                              : static_cast<long>(std::ceil((lumen.high.z() - low) / size)) + 1;
+      setLength(parameters, "zMin", low);
+      setLength(parameters, "zMax", both ? lumen.outlet.centre.z() : low + size * static_cast<double>(cells));
+      parameters.set("cellsZ", std::to_string(cells));
+      continue;
+    }
+    const long half = halfCells(lumen.low[axis], lumen.high[axis], size);
+    setLength(parameters, fmt::format("{}Min", name), middle[axis] - size * static_cast<double>(half));
+    setLength(parameters, fmt::format("{}Max", name), middle[axis] + size * static_cast<double>(half));
+    parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name[0]))),
+                   std::to_string(2 * half));
+  }
+}
+
+/// What the mesher refines, and where the lumen is.
+void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSettings& settings, int level,
+               bool robust) {
+  // Just inside the inlet, at a fraction of a cell that refinement never makes a face
+  const InletProfile& profile = lumen.profile;
+  const Vec3 inside = (profile.centre + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
+                                                             0.371 * profile.direction)) *
+                      perMetre;
+  parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
+  parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
+  parameters.set("coreLevel", std::to_string(level));
+  parameters.set("wallLevel", std::to_string(level + settings.wallLevel));
+  parameters.set("strutLevel", std::to_string(level + settings.strutLevel));
+  parameters.set("bufferCells", std::to_string(settings.bufferCells));
+  parameters.set("meshing", robust ? "thorough" : "quick");
+  parameters.set("snapIterations", std::to_string(robust ? robustIterations * settings.snapIterations
+                                                         : settings.snapIterations));
+}
+
+void writeSolver(DictionaryText& parameters, bool fixedFlow, const FoamSettings& settings, bool robust) {
+  const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
+  parameters.set("iterations", std::to_string(robust ? robustIterations * iterations : iterations));
+  parameters.set("tolerance", fixedFlow ? settings.tolerance : settings.pressureDrivenTolerance);
+  parameters.set("nonOrthogonal", robust ? robustNonOrthogonal : settings.nonOrthogonal);
+  parameters.set("relaxation", robust ? robustRelaxation * settings.relaxation : settings.relaxation);
 }
 
 }  // namespace
@@ -99,69 +180,14 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
 void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
                           const FlowConditions& conditions, const FoamSettings& settings, Effort effort,
                           int ranks) {
-  const auto length = [&](std::string_view key, double metres) { parameters.set(key, metres * perMetre); };
-  const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
-  parameters.set("kinematicViscosity", conditions.kinematicViscosity * perMetre * perMetre);
-  parameters.set("density", conditions.density);
-  parameters.set("drive", fixedFlow ? "flowRate" : "pressureGradient");
-  parameters.set("flowRate", conditions.flowRate * std::pow(perMetre, 3));
-  parameters.set("pressureDrop",
-                 conditions.pressureGradient * lumen.length() / conditions.density * perMetre * perMetre);
-  const InletProfile& profile = lumen.profile;
-  const auto direction = [&](std::string_view key, const Vec3& v) {
-    parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
-  };
-  direction("inletCentre", profile.centre * perMetre);
-  direction("inletDirection", profile.direction);
-  direction("inletXAxis", profile.xAxis);
-  direction("inletYAxis", profile.yAxis);
-  length("inletRadius", profile.radius);
-  parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
-
-  const bool inletCut = lumen.ends != LumenEnds::caps;
-  parameters.set("ends", lumen.ends == LumenEnds::cut ? "cut" : inletCut ? "inletCut" : "caps");
   const int level = blockLevel(lumen, settings.cellSize);
-  const double size = settings.cellSize * std::exp2(level);
-  const Vec3 middle = 0.5 * (lumen.low + lumen.high);
-  for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
-    if (axis == 2 && inletCut) {
-      const double low = lumen.inlet.centre.z();
-      const bool both = lumen.ends == LumenEnds::cut;
-      const long cells = both ? std::max(1L, std::lround(lumen.length() / size))
-                              : static_cast<long>(std::ceil((lumen.high.z() - low) / size)) + 1;
-      length("zMin", low);
-      length("zMax", both ? lumen.outlet.centre.z() : low + size * static_cast<double>(cells));
-      parameters.set("cellsZ", std::to_string(cells));
-      continue;
-    }
-    const long half = halfCells(lumen.low[axis], lumen.high[axis], size);
-    length(fmt::format("{}Min", name), middle[axis] - size * static_cast<double>(half));
-    length(fmt::format("{}Max", name), middle[axis] + size * static_cast<double>(half));
-    parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name[0]))),
-                   std::to_string(2 * half));
-  }
-
-  // Just inside the inlet, at a fraction of a cell that refinement never makes a face
-  const Vec3 inside = (profile.centre + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
-                                                             0.371 * profile.direction)) *
-                      perMetre;
-  parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
-
   const bool robust = effort == Effort::robust;
-  parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
-  parameters.set("coreLevel", std::to_string(level));
-  parameters.set("wallLevel", std::to_string(level + settings.wallLevel));
-  parameters.set("strutLevel", std::to_string(level + settings.strutLevel));
-  parameters.set("bufferCells", std::to_string(settings.bufferCells));
-  parameters.set("meshing", robust ? "thorough" : "quick");
-  parameters.set("snapIterations",
-                 std::to_string(robust ? 2 * settings.snapIterations : settings.snapIterations));
-  const auto iterations = fixedFlow ? settings.iterations : settings.pressureDrivenIterations;
-  parameters.set("iterations", std::to_string(robust ? 2 * iterations : iterations));
-  parameters.set("tolerance", fixedFlow ? settings.tolerance : settings.pressureDrivenTolerance);
+  writeFlow(parameters, lumen, conditions);
+  writeInlet(parameters, lumen.profile);
+  writeBlock(parameters, lumen, settings.cellSize * std::exp2(level));
+  writeMesh(parameters, lumen, settings, level, robust);
+  writeSolver(parameters, conditions.drive == FlowConditions::Drive::flowRate, settings, robust);
   parameters.set("ranks", std::to_string(ranks));
-  parameters.set("nonOrthogonal", robust ? robustNonOrthogonal : settings.nonOrthogonal);
-  parameters.set("relaxation", robust ? 0.75 * settings.relaxation : settings.relaxation);
 }
 
 }  // namespace restenosis

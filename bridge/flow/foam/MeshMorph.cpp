@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <unordered_set>
 
 #include "InnerMotion.h"
 #include "LumenShape.h"
 #include "NearestTriangle.h"
+#include "SurfaceEnds.h"
 
 namespace restenosis {
 namespace {
@@ -44,19 +44,16 @@ NearestTriangle sides(const TriSurface& lumen) {
 }
 
 /// The edges around an end, as triangles without width.
-NearestTriangle rim(const TriSurface& lumen, SurfaceRegion end) {
-  const auto key = [](std::uint64_t from, std::uint64_t to) { return (from << 32) | to; };
-  std::unordered_set<std::uint64_t> ofEnd;
-  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
-    for (int k = 0; k < 3 && lumen.region[t] == end; ++k)
-      ofEnd.insert(key(lumen.triangles[t][k], lumen.triangles[t][(k + 1) % 3]));
-  Triangles edges;
-  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
-    for (int k = 0; k < 3 && isSide(lumen.region[t]); ++k) {
+NearestTriangle rim(const TriSurface& lumen, const SurfaceEdges& edges, SurfaceRegion end) {
+  Triangles around;
+  for (const std::size_t t : sidesOf(lumen))
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t beyond = edges.beyond[t][k];
+      if (beyond == SurfaceEdges::none || lumen.region[beyond] != end) continue;
       const auto a = lumen.triangles[t][k], b = lumen.triangles[t][(k + 1) % 3];
-      if (ofEnd.contains(key(b, a))) edges.push_back({a, b, b});
+      around.push_back({a, b, b});
     }
-  return {inMillimetres(lumen.vertices), std::move(edges)};
+  return {inMillimetres(lumen.vertices), std::move(around)};
 }
 
 /// The faces of the mesh's wall, cut into triangles about their middles.
@@ -124,8 +121,9 @@ MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
   if (wallFaces.empty()) throw std::runtime_error("the mesh has no wall");
   const auto inlet = pointsOfEnd(mesh, "inlet", perMetre * lumenEnd(lumen, SurfaceRegion::inlet).z);
   const auto outlet = pointsOfEnd(mesh, "outlet", perMetre * lumenEnd(lumen, SurfaceRegion::outlet).z);
-  const NearestTriangle surface = sides(lumen), inletRim = rim(lumen, SurfaceRegion::inlet),
-                        outletRim = rim(lumen, SurfaceRegion::outlet);
+  const SurfaceEdges edges = surfaceEdges(lumen);
+  const NearestTriangle surface = sides(lumen), inletRim = rim(lumen, edges, SurfaceRegion::inlet),
+                        outletRim = rim(lumen, edges, SurfaceRegion::outlet);
 
   std::vector<PointFreedom> freedom(mesh.points.size(), PointFreedom::all);
   std::vector<Vec3> displacement(mesh.points.size(), Vec3::Zero());

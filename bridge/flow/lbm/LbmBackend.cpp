@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <numbers>
 
 #include "FlowBackendNames.h"
 #include "LatticeSampler.h"
@@ -55,7 +57,7 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
   if (!(settings.dx > 0.0) || !std::isfinite(settings.dx))
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
-  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / 3.14159265358979);
+  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
   if (across < LbmSettings::leastNodesAcross * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
@@ -85,6 +87,106 @@ void requireFlow(const FlowConditions& conditions) {
     positive(conditions.pressureGradient, "pressure gradient", "Pa/m");
 }
 
+/// Solves on one lattice after the other, each from the flow of the one before.
+class LevelSolver {
+ public:
+  /// Adds times and steps to `solution`.
+  LevelSolver(const TriSurface& lumen, const FlowConditions& conditions, const LbmSettings& settings,
+              const std::atomic<bool>* stopRequested, Log& log, FlowSolution& solution)
+      : lumen_(lumen),
+        conditions_(conditions),
+        settings_(settings),
+        stopRequested_(stopRequested),
+        log_(log),
+        solution_(solution),
+        estimate_(lumen, conditions),
+        start_([this](const Vec3& p) {
+          return FlowPoint{Vec3(0.0, 0.0, estimate_.velocity(p)), estimate_.pressure(p)};
+        }) {}
+  LevelSolver(const LevelSolver&) = delete;
+  LevelSolver& operator=(const LevelSolver&) = delete;
+
+  /// The finest lattice, solved. Coarser ones that fail are left out.
+  std::unique_ptr<SteadyLattice> solve() {
+    const auto levels = spacings(lumen_, settings_);
+    for (const double dx : levels) {
+      const bool finest = dx == levels.back();
+      std::unique_ptr<SteadyLattice> lattice;
+      try {
+        lattice = solveOn(dx, finest ? settings_.tolerance : coarseTolerance * settings_.tolerance);
+      } catch (const std::exception& error) {
+        if (finest) throw;
+        log_.line("  left out: {}", error.what());
+        continue;
+      }
+      if (stopped()) throw LatticeFailed("stopped on request");
+      if (finest) return lattice;
+      coarser_ = std::make_unique<LatticeSampler>(*lattice);
+      start_ = [this](const Vec3& p) { return (*coarser_)(p); };
+    }
+    throw std::logic_error("no lattice to solve on");
+  }
+
+ private:
+  bool stopped() const { return stopRequested_ && *stopRequested_; }
+
+  std::unique_ptr<SteadyLattice> solveOn(double dx, double tolerance) {
+    auto began = Clock::now();
+    auto lattice = std::make_unique<SteadyLattice>(lumen_, conditions_, settings_, dx);
+    lattice->start(start_);
+    solution_.meshSeconds += secondsSince(began);
+    log_.line("spacing {:.4g} um: {} nodes, relaxation time {:.4f}, time step {:.4g} s",
+              1e6 * lattice->units().dx, lattice->nodes(), lattice->relaxationTime(), lattice->units().dt);
+    began = Clock::now();
+    lattice->solve(tolerance, [&](std::int64_t steps, double distance) {
+      if (std::isfinite(distance))
+        log_.line("  {} steps, wall shear stress within {:.3g} of its steady state", steps, distance);
+      return !stopped();
+    });
+    solution_.solveSeconds += secondsSince(began);
+    solution_.iterations += static_cast<int>(lattice->steps());
+    return lattice;
+  }
+
+  const TriSurface& lumen_;
+  const FlowConditions& conditions_;
+  const LbmSettings& settings_;
+  const std::atomic<bool>* stopRequested_;
+  Log& log_;
+  FlowSolution& solution_;
+  FlowEstimate estimate_;
+  std::unique_ptr<LatticeSampler> coarser_;
+  std::function<FlowPoint(const Vec3&)> start_;
+};
+
+/// Takes wall, flow and pressure drop from a solved lattice.
+void take(FlowSolution& solution, const SteadyLattice& solved) {
+  solution.cells = solved.nodes();
+  solution.wall = solved.wall();
+  const int last = solved.layers() - 1;
+  const double outflow = solved.layer(last).flowRate;
+  solution.massImbalance = std::abs(outflow / solved.inflow() - 1.0);
+  // From the middle of the first and last layers to the planes of the ends, half a spacing further out
+  const auto atEnd = [&](int end, int inner) {
+    const double p = solved.layer(end).pressure;
+    return last > 0 ? p + 0.5 * (p - solved.layer(inner).pressure) : p;
+  };
+  solution.pressureDrop = atEnd(0, std::min(1, last)) - atEnd(last, std::max(0, last - 1));
+}
+
+/// Throws LatticeFailed where too much mass is lost, and remarks on what is not as it should be.
+void judge(FlowSolution& solution, const SteadyLattice& solved) {
+  if (!(solution.massImbalance < massLimit))
+    throw LatticeFailed(fmt::format("outflow and inflow differ by {:.2g} %: choose a smaller dx in [lbm]",
+                                    100.0 * solution.massImbalance));
+  if (solution.massImbalance > massRemark)
+    solution.remarks.push_back(
+        fmt::format("outflow and inflow differ by {:.2g} %", 100.0 * solution.massImbalance));
+  if (solved.bareFaces() > 0)
+    solution.remarks.push_back(fmt::format(
+        "{} faces of the wall have no lattice node near them, and no stress", solved.bareFaces()));
+}
+
 }  // namespace
 
 std::string_view LbmBackend::name() const { return flowBackendNames::lbm; }
@@ -102,70 +204,12 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
   try {
     requireFlow(conditions);
     requireLumen(lumen);
-    const FlowEstimate estimate(lumen, conditions);
-    std::function<FlowPoint(const Vec3&)> start = [&estimate](const Vec3& p) {
-      return FlowPoint{Vec3(0.0, 0.0, estimate.velocity(p)), estimate.pressure(p)};
-    };
     FlowSolution solution;
-    std::unique_ptr<SteadyLattice> solved;
-    std::unique_ptr<LatticeSampler> coarser;
-    const auto levels = spacings(lumen, settings_);
-    for (const double dx : levels) {
-      const bool finest = dx == levels.back();
-      auto began = Clock::now();
-      std::unique_ptr<SteadyLattice> lattice;
-      try {
-        lattice = std::make_unique<SteadyLattice>(lumen, conditions, settings_, dx);
-        lattice->start(start);
-        solution.meshSeconds += secondsSince(began);
-        log.line("spacing {:.4g} um: {} nodes, relaxation time {:.4f}, time step {:.4g} s",
-                 1e6 * lattice->units().dx, lattice->nodes(), lattice->relaxationTime(), lattice->units().dt);
-        began = Clock::now();
-        lattice->solve(finest ? settings_.tolerance : coarseTolerance * settings_.tolerance,
-                       [&](std::int64_t steps, double distance) {
-                         if (std::isfinite(distance))
-                           log.line("  {} steps, wall shear stress within {:.3g} of its steady state", steps,
-                                    distance);
-                         return !(stopRequested_ && *stopRequested_);
-                       });
-      } catch (const std::exception& error) {
-        if (finest) throw;
-        log.line("  left out: {}", error.what());
-        continue;
-      }
-      if (stopRequested_ && *stopRequested_) throw LatticeFailed("stopped on request");
-      solution.solveSeconds += secondsSince(began);
-      solution.iterations += static_cast<int>(lattice->steps());
-      if (finest) {
-        solved = std::move(lattice);
-      } else {
-        coarser = std::make_unique<LatticeSampler>(*lattice);
-        start = [&coarser](const Vec3& p) { return (*coarser)(p); };
-      }
-    }
-
+    const auto solved = LevelSolver(lumen, conditions, settings_, stopRequested_, log, solution).solve();
     if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
-    solution.cells = solved->nodes();
-    solution.wall = solved->wall();
-    const int last = solved->layers() - 1;
-    const double outflow = solved->layer(last).flowRate;
-    solution.massImbalance = std::abs(outflow / solved->inflow() - 1.0);
-    // From the middle of the first and last layers to the planes of the ends, half a spacing further out
-    const auto atEnd = [&](int end, int inner) {
-      const double p = solved->layer(end).pressure;
-      return last > 0 ? p + 0.5 * (p - solved->layer(inner).pressure) : p;
-    };
-    solution.pressureDrop = atEnd(0, std::min(1, last)) - atEnd(last, std::max(0, last - 1));
+    take(solution, *solved);
     log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance, solution.pressureDrop);
-    if (!(solution.massImbalance < massLimit))
-      throw LatticeFailed(fmt::format("outflow and inflow differ by {:.2g} %: choose a smaller dx in [lbm]",
-                                      100.0 * solution.massImbalance));
-    if (solution.massImbalance > massRemark)
-      solution.remarks.push_back(
-          fmt::format("outflow and inflow differ by {:.2g} %", 100.0 * solution.massImbalance));
-    if (solved->bareFaces() > 0)
-      solution.remarks.push_back(fmt::format(
-          "{} faces of the wall have no lattice node near them, and no stress", solved->bareFaces()));
+    judge(solution, *solved);
     return solution;
   } catch (const std::exception& error) {
     log.line("failed: {}", error.what());

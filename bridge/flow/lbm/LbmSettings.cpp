@@ -5,6 +5,9 @@
 #include <array>
 #include <stdexcept>
 
+#include "NamedTable.h"
+#include "WallStress.h"
+
 namespace restenosis {
 namespace {
 
@@ -14,7 +17,21 @@ struct Level {
 };
 constexpr std::array levels = {Level{"draft", 30e-6}, Level{"standard", 20e-6}, Level{"reference", 15e-6}};
 
+constexpr std::array collisions{Named<bool>{"trt", false}, Named<bool>{"bgk", true}};
+constexpr std::array walls{Named<WallRule>{"interpolated", WallRule::interpolated},
+                           Named<WallRule>{"bounceBack", WallRule::bounceBack}};
+constexpr std::array stresses{
+    Named<StressRule>{"adaptive", StressRule::adaptive}, Named<StressRule>{"fitted", StressRule::fitted},
+    Named<StressRule>{"ratio", StressRule::ratio}, Named<StressRule>{"gradient", StressRule::gradient},
+    Named<StressRule>{"nearest", StressRule::nearest}};
+constexpr std::array precisions{Named<bool>{"double", false}, Named<bool>{"float", true}};
+
 }  // namespace
+
+bool LbmSettings::singleRelaxation() const { return findNamed(collisions, "lbm.collision", collision).value; }
+WallRule LbmSettings::wallRule() const { return findNamed(walls, "lbm.wall", wall).value; }
+StressRule LbmSettings::stressRule() const { return findNamed(stresses, "lbm.stress", stress).value; }
+bool LbmSettings::singlePrecision() const { return findNamed(precisions, "lbm.precision", precision).value; }
 
 void LbmSettings::describe(ParameterVisitor& p) {
   p.quantity(dx, {.key = "dx",
@@ -24,7 +41,7 @@ void LbmSettings::describe(ParameterVisitor& p) {
                   .minimumAllowed = false,
                   .source = "T6",
                   .description = "lattice spacing"});
-  p.choice(collision, {"trt", "bgk"},
+  p.choice(collision, namesOf(collisions),
            {.key = "collision", .source = "assumed", .description = "two relaxation times or one (T6)"});
   p.quantity(magic, {.key = "magic",
                      .minimum = 0,
@@ -33,10 +50,10 @@ void LbmSettings::describe(ParameterVisitor& p) {
                      .source = "Ginzburg 2008",
                      .description = "(tau - 1/2)(tau of the odd parts - 1/2), for collision = \"trt\""});
   p.choice(
-      wall, {"interpolated", "bounceBack"},
+      wall, namesOf(walls),
       {.key = "wall", .source = "assumed", .description = "the wall where it is, or half a link away (T6)"});
   p.choice(
-      stress, {"adaptive", "fitted", "ratio", "gradient", "nearest"},
+      stress, namesOf(stresses),
       {.key = "stress",
        .source = "assumed",
        .description =
@@ -44,7 +61,7 @@ void LbmSettings::describe(ParameterVisitor& p) {
            "from the wall (ratio), from the velocity gradient (gradient), the first where the wall "
            "is smooth, the second where it is rough, the third on struts (adaptive), or the nearest "
            "node's stress"});
-  p.choice(precision, {"double", "float"},
+  p.choice(precision, namesOf(precisions),
            {.key = "precision", .source = "assumed", .description = "of the populations"});
   p.quantity(latticeVelocity,
              {.key = "latticeVelocity",

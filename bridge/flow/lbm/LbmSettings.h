@@ -8,6 +8,9 @@
 
 namespace restenosis {
 
+enum class StressRule;
+enum class WallRule;
+
 /// How finely and how exactly the lattice Boltzmann backend works.
 struct LbmSettings {
   static constexpr std::string_view section = "lbm";
@@ -30,6 +33,12 @@ struct LbmSettings {
 
   bool operator==(const LbmSettings&) const = default;
   void describe(ParameterVisitor& p);
+  /// What `collision`, `wall`, `stress` and `precision` say. Throw std::invalid_argument for a word that is
+  /// none of theirs.
+  bool singleRelaxation() const;
+  WallRule wallRule() const;
+  StressRule stressRule() const;
+  bool singlePrecision() const;
   /// The settings of a fidelity level: draft (30 um), standard (20 um) or reference (15 um). Throws
   /// std::invalid_argument for others.
   static LbmSettings forFidelity(std::string_view fidelity);

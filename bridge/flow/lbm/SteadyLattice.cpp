@@ -20,13 +20,6 @@ constexpr double runawayVelocity = 1.0;
 /// that of diffusion across it where it is shorter.
 constexpr double checksPerPassage = 20.0;
 
-StressRule stressRule(const std::string& name) {
-  if (name == "nearest") return StressRule::nearest;
-  if (name == "ratio") return StressRule::ratio;
-  if (name == "gradient") return StressRule::gradient;
-  return name == "fitted" ? StressRule::fitted : StressRule::adaptive;
-}
-
 }  // namespace
 
 SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions,
@@ -35,21 +28,21 @@ SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& cond
       estimate_(lumen, conditions),
       lattice_(makeLumenLattice(lumen, dx, settings.maximumNodes)),
       units_(latticeUnits(lattice_.frame.dx, estimate_, conditions, settings.latticeVelocity)),
-      stress_(lumen, lattice_, stressRule(settings.stress),
+      stress_(lumen, lattice_, settings.stressRule(),
               (units_.relaxationTime(conditions.kinematicViscosity) - 0.5) / 3.0) {
   relaxation_.tau = units_.relaxationTime(conditions.kinematicViscosity);
   relaxation_.magic = settings.magic;
-  relaxation_.single = settings.collision == "bgk";
+  relaxation_.single = settings.singleRelaxation();
   if (conditions.drive == FlowConditions::Drive::flowRate) givenFlow_ = conditions.flowRate;
   LatticeBoundary surface = boundary(lumen, conditions);
-  if (settings.precision == "float")
+  if (settings.singlePrecision())
     flow_ = std::make_unique<LatticeFlow<float>>(lattice_.layout, std::move(surface), relaxation_);
   else
     flow_ = std::make_unique<LatticeFlow<double>>(lattice_.layout, std::move(surface), relaxation_);
 }
 
 LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowConditions& conditions) const {
-  const WallRule rule = settings_.wall == "bounceBack" ? WallRule::bounceBack : WallRule::interpolated;
+  const WallRule rule = settings_.wallRule();
   LatticeEnds ends;
   const LumenEnd inlet = lumenEnd(lumen, SurfaceRegion::inlet);
   if (conditions.drive == FlowConditions::Drive::pressureGradient) {

@@ -6,7 +6,6 @@
 #include "PointTree.h"
 #include "SmoothNormals.h"
 #include "WallDistances.h"
-#include "WallFit.h"
 
 namespace restenosis {
 namespace {
@@ -78,8 +77,8 @@ class EdgeFinder {
   EdgeFinder(const std::vector<Vec3>& centres, const std::vector<Vec3>& normals)
       : tree_(centres), normals_(normals) {}
   bool near(const Vec3& centre, const Vec3& normal, double reach) const {
-    for (const std::size_t face : tree_.within(centre, reach))
-      if (normals_[face].dot(normal) < edgeCosine) return true;
+    for (const auto& face : tree_.within(centre, reach))
+      if (normals_[face.index].dot(normal) < edgeCosine) return true;
     return false;
   }
 
@@ -104,6 +103,13 @@ double reachOf(StressRule rule) {
 WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule,
                        double viscosity)
     : viscosity_(viscosity) {
+  listFaces(lumen, rule);
+  NodesOfFaces found = findNodes(lattice, rule);
+  weigh(found, lumen, lattice);
+  keep(found);
+}
+
+void WallStress::listFaces(const TriSurface& lumen, StressRule rule) {
   const SmoothNormals normals(lumen);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
@@ -111,12 +117,14 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
     if (!(area > 0.0)) continue;
     faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0, rule});
   }
+}
 
+WallStress::NodesOfFaces WallStress::findNodes(const LumenLattice& lattice, StressRule rule) {
   std::vector<Vec3> faceCentres, faceNormals;
   for (const Face& f : faces_) faceCentres.push_back(f.centre), faceNormals.push_back(f.normal);
   const NodeFinder finder(lattice);
   const EdgeFinder edges(faceCentres, faceNormals);
-  std::vector<std::vector<NearNode>> found(faces_.size());
+  NodesOfFaces found(faces_.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
@@ -131,7 +139,10 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
     if (found[f].size() < fewestNodes)
       found[f] = finder.around(face.centre, face.normal, largeRadius, ofLinked);
   }
+  return found;
+}
 
+void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const {
   WallDistances distances(lumen, lattice);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     if (faces_[f].rule == StressRule::ratio) distances.add(faces_[f].centre, found[f]);
@@ -154,7 +165,9 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
         fitValue(found[f]);
     }
   }
+}
 
+void WallStress::keep(const NodesOfFaces& found) {
   for (const auto& nodes : found)
     for (const auto& n : nodes) nodes_.push_back(n.place);
   std::sort(nodes_.begin(), nodes_.end());

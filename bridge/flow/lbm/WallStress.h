@@ -7,6 +7,7 @@
 #include "FlowBackend.h"
 #include "LatticeFlow.h"
 #include "LumenLattice.h"
+#include "WallFit.h"
 
 namespace restenosis {
 
@@ -56,6 +57,16 @@ class WallStress {
     std::uint32_t node;  ///< of nodes_
     double weight;
   };
+  using NodesOfFaces = std::vector<std::vector<NearNode>>;
+
+  void listFaces(const TriSurface& lumen, StressRule rule);
+  /// Decides each face's rule and finds the nodes it looks at.
+  NodesOfFaces findNodes(const LumenLattice& lattice, StressRule rule);
+  /// Makes the nodes' weights those of the stress, by each face's rule.
+  void weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const;
+  /// Fills nodes_ and terms_.
+  void keep(const NodesOfFaces& found);
+
   double viscosity_;
   std::vector<Face> faces_;
   std::vector<Term> terms_;

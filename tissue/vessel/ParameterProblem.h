@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace restenosis {
+
+/// A value that is within its own bounds but does not fit the others.
+struct ParameterProblem {
+  std::string key;      ///< with its section, as in "stent.length"
+  std::string message;  ///< what is wrong and what is allowed
+};
+
+}  // namespace restenosis
