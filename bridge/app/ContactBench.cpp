@@ -13,6 +13,7 @@
 #include "Chunks.h"
 #include "ForceField.h"
 #include "MachineLimits.h"
+#include "Relaxation.h"
 #include "Timing.h"
 #include "WallPacking.h"
 
@@ -20,7 +21,6 @@ namespace restenosis {
 namespace {
 
 constexpr double wallLength = 0.55e-3;  // [m]; about 30,000 agents with the default vessel
-constexpr double skinOverRadius = 0.4;  // as in a relaxation
 
 /// The wall and how many pairs its force loop handles, counted from each of the two agents of a pair.
 struct Workload {
@@ -28,7 +28,7 @@ struct Workload {
     VesselParameters vessel;
     vessel.length = wallLength;
     wall = packWall(vessel, mechanics, 1);
-    range = ForceField(mechanics).range(skinOverRadius * vessel.cellRadius);
+    range = ForceField(mechanics).range(Relaxation::skinOverRadius * vessel.cellRadius);
     neighbours.build(wall.agents, range);
     pairs.build(neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0);
     fixed = packSpheres(wall.agents, pairs.nobody(), scale);

@@ -20,6 +20,7 @@
 #include "ProfileCsv.h"
 #include "RelaxPart.h"
 #include "SceneFingerprint.h"
+#include "SecondsPerDay.h"
 #include "StateArchive.h"
 #include "StateCounts.h"
 #include "SummaryJson.h"
@@ -32,8 +33,6 @@ namespace {
 
 /// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
 constexpr std::chrono::seconds longestUnsaved{30};
-
-constexpr double day = 86400;  // [s]
 
 bool isMultiple(double time, double interval, double step) {
   const double periods = time / interval;
@@ -79,8 +78,8 @@ void Run::resume() {
         CheckpointRefused::Reason::beyond,
         fmt::format("{} is of day {:.4g}, past scene.duration = {:.4g} d: ask for a longer duration, or for "
                     "another folder (-o)",
-                    checkpoint_.file().string(), nextStep_ * scene_.scene.step / day,
-                    scene_.scene.duration / day));
+                    checkpoint_.file().string(), nextStep_ * scene_.scene.step / secondsPerDay,
+                    scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
   // It is of an end that is none any more
@@ -234,7 +233,7 @@ Instant Run::instant(std::uint32_t step) const {
   now.step = step;
   now.time = step * scene_.scene.step;
   now.last = step == stepCount(scene_.scene);
-  now.endsDay = isMultiple(now.time, day, scene_.scene.step);
+  now.endsDay = isMultiple(now.time, secondsPerDay, scene_.scene.step);
   now.recorded = now.last || step == 0 || isMultiple(now.time, scene_.output.interval, scene_.scene.step);
   return now;
 }
@@ -254,7 +253,7 @@ void Run::recordOcclusion() {
   const Instant now = instant(nextStep_);
   record_->run(now);
   reportProgress(now);
-  world_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / day));
+  world_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / secondsPerDay));
 }
 
 void Run::stopIfAsked() {
@@ -290,8 +289,6 @@ std::string Run::stateDigest() {
   hash(world_.wall.agents);
   return hash.digest();
 }
-
-std::uint64_t Run::flowSolvesDone() const { return world_.flow.solves; }
 
 std::optional<PoiseuilleError> Run::poiseuille() const {
   const VesselParameters& vessel = scene_.vessel;

@@ -46,7 +46,6 @@ class Run {
 
   std::string status() const { return status_; }
   std::string stateDigest();
-  std::uint64_t flowSolvesDone() const;
   /// The error of the last flow against Poiseuille's law, where it holds: in a straight tube without tissue,
   /// at a fixed flow rate.
   std::optional<PoiseuilleError> poiseuille() const;

@@ -86,7 +86,7 @@ BiologySettings biologySettings(const Scene& scene) {
   settings.cellCycle = scene.cellCycle;
   settings.contactInhibition = scene.contactInhibition;
   settings.endothelium = scene.endothelium;
-  settings.denuded = !scene.injury || scene.injury->denudation == "full";
+  settings.denuded = !scene.injury || scene.injury->denuded();
   settings.seed = static_cast<std::uint64_t>(scene.scene.seed);
   settings.step = scene.scene.step;
   settings.vesselLength = scene.vessel.length;

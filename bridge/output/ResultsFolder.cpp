@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "AtomicFile.h"
+#include "SecondsPerDay.h"
 
 namespace restenosis {
 
@@ -144,7 +145,7 @@ ResultsFolder::~ResultsFolder() {
 
 fs::path ResultsFolder::flowCase(double time) const {
   // 1e-5 d tell any two steps of a second apart
-  std::string day = fmt::format("{:.5f}", time / 86400.0);
+  std::string day = fmt::format("{:.5f}", time / secondsPerDay);
   day.erase(day.find_last_not_of('0') + 1);
   if (day.back() == '.') day.pop_back();
   return folder_ / "flow" / day;

@@ -10,6 +10,7 @@
 
 #include "FlowResolution.h"
 #include "NitricOxide.h"
+#include "StentDesign.h"
 #include "VesselValidation.h"
 
 namespace restenosis {
@@ -102,9 +103,11 @@ Finding stenosisTooLong(const Scene& s, const Units& u) {
                      shown(u, s.vessel.stenosisLength, "mm"), shown(u, s.vessel.length, "mm"));
 }
 
-/// One ring does not use its length, but who gives one expects it to fit. (Other designs: validate.)
+/// A design such as one ring does not use its length, but who gives one expects it to fit. (Other designs:
+/// validate.)
 Finding ringLongerThanVessel(const Scene& s, const Units& u) {
-  if (!s.stent || !s.stent->file.empty() || s.stent->design != "ring" || s.stent->length <= s.vessel.length)
+  if (!s.stent || !s.stent->file.empty() || stentDesign(s.stent->design).spansLength ||
+      s.stent->length <= s.vessel.length)
     return {};
   return fmt::format("'length' in [stent]: a stent of {} is longer than the vessel ({})",
                      shown(u, s.stent->length, "mm"), shown(u, s.vessel.length, "mm"));

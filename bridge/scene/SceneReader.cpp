@@ -15,6 +15,7 @@
 #include "SceneDocument.h"
 #include "SceneFindings.h"
 #include "SectionReader.h"
+#include "StentDesign.h"
 
 namespace restenosis {
 namespace {
@@ -69,9 +70,11 @@ void checkSections(const SceneDocument& document, const KeysOfSections& all, Sce
 
 /// Defaults that follow from other keys.
 void resolve(Scene& scene, const SceneDocument& document) {
-  // One ring has no use for the length of a stent: the default must not make a short vessel invalid.
+  // A design such as one ring has no use for the length of a stent: the default must not make a short vessel
+  // invalid.
   const GivenSection* stent = document.find(StentParameters::section);
-  if (stent != nullptr && scene.stent->design == "ring" && stent->values.count("length") == 0) {
+  if (stent != nullptr && !stentDesign(scene.stent->design).spansLength &&
+      stent->values.count("length") == 0) {
     scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
   }
   // What makes a fidelity, where it is not given.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "NameList.h"
 #include "Scene.h"
 #include "SectionReader.h"
 
@@ -33,9 +34,7 @@ class RowCollector : public ParameterVisitor {
   }
   void choice(std::string& value, const std::vector<std::string_view>& allowed,
               const ParameterInfo& info) override {
-    std::string list;
-    for (const auto name : allowed) list.append(list.empty() ? "" : ", ").append(name);
-    add(info, "choice", value, list);
+    add(info, "choice", value, commaSeparated(allowed));
   }
   void text(std::string& value, const ParameterInfo& info) override { add(info, "text", value, ""); }
   void file(std::string& value, const ParameterInfo& info) override { add(info, "file", value, ""); }

@@ -32,9 +32,6 @@ constexpr double softestContact = 1.2;
 // agents settle at a fiftieth of the tolerance.
 constexpr double leastMixedTolerance = 0.01;
 
-// How far beyond contact the neighbour list looks, over r0. Speed only: results do not depend on it.
-constexpr double skinOverRadius = 0.4;
-
 /// What is said of a step limit that lets no agent go anywhere.
 std::string shortSteps(const MechanicsParameters& p) {
   const double farthest = p.stepLimit * static_cast<double>(p.maximumIterations);

@@ -42,6 +42,10 @@ struct RelaxationFailed : std::runtime_error {
 /// number of threads.
 class Relaxation {
  public:
+  /// How far beyond contact the neighbour list looks, over the reference radius. Speed only: results do not
+  /// depend on it.
+  static constexpr double skinOverRadius = 0.4;
+
   /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
   /// law.
   Relaxation(const MechanicsParameters& parameters, double referenceRadius);

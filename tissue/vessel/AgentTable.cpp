@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "Trimmed.h"
+
 namespace restenosis {
 namespace {
 
@@ -26,12 +28,8 @@ constexpr std::array<std::pair<std::string_view, AgentKind>, 4> kinds = {
 enum Column { columnX, columnY, columnZ, columnRadius, columnKind, columnCount };
 constexpr std::array<std::string_view, columnCount> columnNames = {"x", "y", "z", "radius", "kind"};
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\"";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+// Quotes too, as spreadsheets write them.
+constexpr std::string_view blanks = " \t\r\"";
 
 std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find('#')); }
 
@@ -39,7 +37,7 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   std::vector<std::string_view> cells;
   while (true) {
     const auto comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
+    cells.push_back(trimmed(line.substr(0, comma), blanks));
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }
@@ -59,7 +57,7 @@ class TableReader {
       ++line_;
       std::string_view text = line;
       if (line_ == 1 && text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-      text = trimmed(withoutComment(text));
+      text = trimmed(withoutComment(text), blanks);
       if (text.empty()) continue;
       if (std::exchange(header, false)) {
         readHeader(text);
