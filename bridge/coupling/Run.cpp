@@ -185,6 +185,7 @@ void Run::startGrowth() {
     }
     if (scene_.injury)
       world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
+    world_.confinement = OuterConfinement(agents, scene_.vessel.cellRadius);
     world_.changes.touch(Quantity::cellStates);
     world_.wall.lastMove = std::vector<double>();
   }

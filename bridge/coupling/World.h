@@ -12,6 +12,7 @@
 #include "FlowBackend.h"
 #include "Injury.h"
 #include "LumenField.h"
+#include "OuterConfinement.h"
 #include "PartTimer.h"
 #include "Progress.h"
 #include "RadialMap.h"
@@ -82,7 +83,8 @@ struct World {
   ChangeLedger changes;
   std::optional<DeploymentStatistics> deployment;  ///< before injury
   std::optional<InjuryReport> injury;
-  std::uint64_t divisions = 0;  ///< since deployment
+  OuterConfinement confinement;  ///< by the EEL as growth found it; it holds its place
+  std::uint64_t divisions = 0;   ///< since deployment
   RelaxationWork relaxation;
   std::vector<std::string> remarks;
   /// Case of the last solve that the checkpoint knows; empty for none. A resumed run may need it.
@@ -102,7 +104,8 @@ struct World {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, biology, lumen, flow, changes, deployment, injury, divisions, relaxation, remarks, timer);
+    a(wall, biology, lumen, flow, changes, deployment, injury, confinement, divisions, relaxation, remarks,
+      timer);
   }
 
  private:

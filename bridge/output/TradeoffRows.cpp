@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "AtomicFile.h"
 #include "CsvText.h"
 
 namespace restenosis {
 
 std::string withoutSpaces(std::string name) {
+  // A value such as 0.1 m/s is no folder in a folder
+  std::ranges::replace(name, '/', '_');
   std::erase(name, ' ');
   return name;
 }

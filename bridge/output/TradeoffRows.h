@@ -14,7 +14,7 @@ struct TradeoffRow {
   std::string meaning;   ///< of the error: of what, against what
 };
 
-/// A name for a folder: OpenFOAM takes no spaces in paths.
+/// A name for one folder: OpenFOAM takes no spaces in paths, and a slash would make two.
 std::string withoutSpaces(std::string name);
 
 /// Writes tradeoff.csv: setting, value, seconds, error, meaning. Throws WriteFailed.

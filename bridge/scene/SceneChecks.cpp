@@ -149,9 +149,13 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
 }
 
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
-  if (s.coupling.surfaceResolution <= s.vessel.lumenDiameter / 10) return {};
-  return fmt::format("'surfaceResolution' is {}; a lumen of {} needs at least ten spacings across",
-                     shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"));
+  constexpr double roundingSlack = 1e-9;
+  const double coarsest = s.vessel.lumenDiameter / 10;
+  if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
+  return fmt::format(
+      "'surfaceResolution' is {}; a lumen of {} needs at least ten spacings across: at most {}",
+      shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
+      shown(u, coarsest, "um"));
 }
 
 const std::vector<Check>& checks() {

@@ -1,6 +1,19 @@
 #include "SceneDocument.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace restenosis {
+namespace {
+/// The parser has met what it takes for impossible: a header whose name begins with no character of a name.
+struct ParserAtALoss {};
+}  // namespace
+}  // namespace restenosis
+
+// Its assertions would abort the program
+#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : throw restenosis::ParserAtALoss())
 #include <toml++/toml.h>
 
 #include "Trimmed.h"
@@ -38,16 +51,34 @@ decltype(GivenValue::value) typedValue(std::string_view text) {
     if (table.size() == 1) return valueOf(table.begin()->second);
   } catch (const toml::parse_error&) {
     // Not TOML, then: a bare word or quantity.
+  } catch (const ParserAtALoss&) {
+    // Nor this.
   }
   return std::string(text);
 }
 
 bool isUtf8(std::string_view text) {
+  std::string comment = "# " + std::string(text);
+  std::ranges::replace(comment, '\n', ' ');
   try {
-    static_cast<void>(toml::parse(std::string("# ").append(text.substr(0, text.find('\n')))));
+    static_cast<void>(toml::parse(comment));
     return true;
   } catch (const toml::parse_error&) {
     return false;
+  }
+}
+
+/// The first line that begins with a bracket but names no section, from 1.
+int lineOfBadHeader(std::string_view toml) {
+  for (int line = 1;; ++line) {
+    const auto end = toml.find('\n');
+    const std::string_view text = trimmed(toml.substr(0, end), " \t\r");
+    const std::string_view name = trimmed(text.substr(std::min(text.size(), text.find_first_not_of("[ \t"))));
+    const bool named = !name.empty() && (std::isalnum(static_cast<unsigned char>(name.front())) ||
+                                         std::string_view("_-\"'").find(name.front()) != name.npos);
+    if (text.starts_with('[') && !named) return line;
+    if (end == std::string_view::npos) return 1;
+    toml.remove_prefix(end + 1);
   }
 }
 
@@ -75,6 +106,11 @@ SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
     const ScenePlace place = placeIn(file, error.source());
     diagnostics.push_back({file, place.line, place.column,
                            fmt::format("not valid TOML (column {}): {}", place.column, explained(error))});
+    return;
+  } catch (const ParserAtALoss&) {
+    broken_ = true;
+    diagnostics.push_back({file, lineOfBadHeader(toml), 1,
+                           "not valid TOML: a section's header names it between brackets, as [vessel]"});
     return;
   }
   for (const auto& [key, node] : root) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "RadiusMap.h"
+
 namespace restenosis {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr double bandSpacings = 3.0;
 struct Obstacles {
   std::vector<Ball> tissue, strut;
   double outerRadius = 0;  ///< distance from the axis of the outermost tissue agent's centre [m]
+  double eelRadii = 0;     ///< sum over the EEL's agents [m]
+  std::size_t eel = 0;     ///< their number
+  double meanEelRadius() const { return eel > 0 ? eelRadii / static_cast<double>(eel) : 0; }
 };
 
 Obstacles sortAgents(const AgentStore& agents) {
@@ -25,12 +30,15 @@ Obstacles sortAgents(const AgentStore& agents) {
     } else {
       found.tissue.push_back(s);
       found.outerRadius = std::max(found.outerRadius, std::hypot(s.centre.x(), s.centre.y()));
+      if (agents.kind[i] == AgentKind::eel) found.eelRadii += s.radius, ++found.eel;
     }
   }
   return found;
 }
 
-void wallOff(GridField& field, double outerRadius, double clip) {
+/// Takes what lies outside of the wall for solid: beyond its outermost agent, and beyond the EEL where there
+/// is one, or the space outside of a bulging wall would be a lumen beside the lumen.
+void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double clip) {
   const LumenGrid& g = field.grid;
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < g.nz; ++k)
@@ -38,7 +46,11 @@ void wallOff(GridField& field, double outerRadius, double clip) {
       for (int i = 0; i < g.nx; ++i) {
         float& v = field.values[g.index(i, j, k)];
         const double r = std::sqrt(g.x(i) * g.x(i) + g.y(j) * g.y(j));  // hypot would take most of the time
-        const double inside = std::max(outerRadius - r, -clip);
+        double limit = outerRadius;
+        // Inside of the wall its own agents say what is solid
+        if (v > 0 && eel.lowestNear(g.x(i), g.y(j), g.z(k)) - r < v)
+          limit = std::min(limit, eel.at({g.x(i), g.y(j), g.z(k)}));
+        const double inside = std::max(limit - r, -clip);
         v = std::min(v, static_cast<float>(inside));
       }
 }
@@ -65,7 +77,8 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
 
   const double reach = settings.smoothing > 0 ? std::max(settings.smoothing + h, clip) : clip;
   GridField tissue = sphereDistance(grid, obstacles.tissue, reach);
-  wallOff(tissue, obstacles.outerRadius, clip);
+  const RadiusMap eel(agents, AgentKind::eel, 2 * obstacles.meanEelRadius());
+  wallOff(tissue, obstacles.outerRadius, eel, clip);
   if (settings.smoothing > 0) {
     tissue = closeByBall(tissue, settings.smoothing, clip);
     blur(tissue, settings.blurFraction * settings.smoothing);

@@ -102,10 +102,13 @@ double RadialMap::minimalArea(double from, double to) const {
     if (z_[k] >= from && z_[k] <= to) least = std::min(least, lumenArea(k));
   }
   if (least < HUGE_VAL) return least;
+  return lumenArea(nearestPlane(0.5 * (from + to)));
+}
+
+int RadialMap::nearestPlane(double z) const {
   if (z_.empty()) throw std::invalid_argument("the radial map has no planes");
-  const auto nearest =
-      std::ranges::min_element(z_, {}, [&](double z) { return std::abs(z - 0.5 * (from + to)); });
-  return lumenArea(static_cast<int>(nearest - z_.begin()));
+  const auto nearest = std::ranges::min_element(z_, {}, [z](double plane) { return std::abs(plane - z); });
+  return static_cast<int>(nearest - z_.begin());
 }
 
 bool RadialMap::comparable(const RadialMap& other) const {
@@ -133,6 +136,8 @@ Neointima measureNeointima(const RadialMap& reference, const RadialMap& present,
   Neointima n;
   n.thicknessByAngle.assign(reference.angles(), 0.0);
   double weights = 0;
+  const int nearest = reference.nearestPlane(0.5 * (from + to));
+  from = std::min(from, reference.z(nearest)), to = std::max(to, reference.z(nearest));
   for (int k = 0; k < reference.planes(); ++k) {
     if (reference.z(k) < from || reference.z(k) > to) continue;
     const double weight = reference.planeWeight(k);
@@ -150,7 +155,6 @@ Neointima measureNeointima(const RadialMap& reference, const RadialMap& present,
     n.meanAreaFraction += weight * n.areaFraction.back();
     weights += weight;
   }
-  if (weights <= 0) throw std::invalid_argument("no plane of the radial map lies in the section");
   n.meanThickness /= weights;
   n.meanAreaFraction /= weights;
   for (double& t : n.thicknessByAngle) t /= weights;

@@ -30,6 +30,8 @@ class RadialMap {
   double radiusAt(const Vec3& point) const { return interpolate(radius_, point); }  ///< [m]
   double meanRadius() const;          ///< over planes (trapezoidal) and angles [m]
   double lumenArea(int plane) const;  ///< of a cross-section as seen from the axis [m^2]
+  /// The plane nearest to a z [m]. Throws std::invalid_argument for a map without planes.
+  int nearestPlane(double z) const;
   /// Smallest cross-section of the planes between two z [m^2]; where none lies there, that of the plane
   /// nearest to their middle. Throws std::invalid_argument for a map without planes.
   double minimalArea(double from = -HUGE_VAL, double to = HUGE_VAL) const;
@@ -69,8 +71,8 @@ struct Neointima {
 };
 
 /// Measures the neointima between axial positions `from` and `to` [m]. Thickness is signed: where the lumen
-/// has widened it is negative. Throws std::invalid_argument for maps on different planes, or a section
-/// without one.
+/// has widened it is negative. The plane nearest to the section's middle always belongs to it. Throws
+/// std::invalid_argument for maps without planes or on different ones.
 Neointima measureNeointima(const RadialMap& postDeployment, const RadialMap& present, double from, double to);
 
 }  // namespace restenosis

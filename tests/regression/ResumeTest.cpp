@@ -102,6 +102,33 @@ TEST_F(Resume, AfterAnInterruptionInTheLastStepOfDeploymentTheResultsAreTheSame)
   expectSameResults("out", "reference");
 }
 
+/// Every day the agents are put in another order; what was summed in the first one has to be kept.
+TEST_F(Resume, DoesNotDependOnTheOrderOfTheAgents) {
+  const std::string ordered = scene("ordered", R"([scene]
+duration = "74 h"
+step = "1 h"
+[vessel]
+length = "0.4 mm"
+lumenDiameter = "0.57 mm"
+wallThickness = "0.14 mm"
+cellRadius = "23 um"
+[stent]
+strutWidth = "0.045 mm"
+strutThickness = "0.035 mm"
+deploymentDepth = "90 um"
+deploymentSteps = 7
+[injury]
+[mechanics]
+[cellCycle]
+[output]
+pictures = false
+)");
+  ASSERT_EXIT_STATUS(run({"run", ordered, "-o", "reference"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", ordered, "-o", "out", "--set", "scene.duration=3 d"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", ordered, "-o", "out", "--resume"}), 0);
+  EXPECT_EQ(digest("out"), digest("reference"));
+}
+
 TEST_F(Resume, GoesOnWithAFinishedRunForLonger) {
   const std::string tiny = scene("tiny", tinyScene);
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);

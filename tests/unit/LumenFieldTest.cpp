@@ -51,6 +51,21 @@ TEST(LumenField, AHoleInTheWallIsNoWayOut) {
   for (int k = 0; k < map.planes(); ++k) EXPECT_LT(map.radius(k, 0), 166 * um);
 }
 
+TEST(LumenField, TheSpaceOutsideOfAnUnevenWallIsNoLumen) {
+  AgentStore wall = sphereWall(100 * um, 300 * um, 15 * um);
+  std::ranges::fill(wall.kind, AgentKind::eel);
+  const auto area = [&] { return RadialMap(LumenField::fromTissue(wall, {}, 300 * um)).minimalArea(); };
+  const double even = area();
+  // One agent far out: between it and the wall there is more room than in the lumen
+  wall.append(AgentKind::eel, {0, 250 * um, 150 * um}, 15 * um);
+  EXPECT_NEAR(area(), even, 0.01 * even);
+
+  // And none to flow through when the lumen is closed
+  for (int i = -4; i <= 4; ++i)
+    for (int j = -4; j <= 4; ++j) wall.append(AgentKind::smc, {i * 24 * um, j * 24 * um, 150 * um}, 15 * um);
+  EXPECT_TRUE(LumenField::fromTissue(wall, {}, 300 * um).occluded());
+}
+
 TEST(LumenField, TakesStrutsGivenAsSpheres) {
   AgentStore wall = sphereWall(150 * um, 300 * um, 15 * um);
   for (int n = 0; n < 20; ++n)

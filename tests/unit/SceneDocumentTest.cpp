@@ -131,5 +131,15 @@ TEST_F(SceneDocumentTest, OverridesThatSayNothingAreRefused) {
   EXPECT_NE(complaint("a.b=\xff").find("UTF-8"), std::string::npos);
 }
 
+TEST(SceneDocument, NamesTheLineOfAHeaderWithoutAName) {
+  for (const char* header : {"[#vessel]", "[", "[[[", "[ #", "[=", "[*"}) {
+    std::vector<Diagnostic> found;
+    const SceneDocument document(fmt::format("[scene]\nseed = 1\n{}\nlength = 1\n", header), "x.toml", found);
+    EXPECT_TRUE(document.broken()) << header;
+    ASSERT_EQ(found.size(), 1u) << header;
+    EXPECT_EQ(found[0].line, 3) << header;
+  }
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -12,6 +12,7 @@ namespace restenosis {
 /// The surface is that of the agents when it was made: make a new one after the EEL has moved.
 class OuterConfinement : public Constraint {
  public:
+  OuterConfinement() = default;  ///< confines nothing
   /// `cellRadius` is the mean radius of the wall's agents [m]; the surface is smoothed over twice that.
   OuterConfinement(const AgentStore& agents, double cellRadius, double margin = defaultMargin);
 
@@ -22,12 +23,17 @@ class OuterConfinement : public Constraint {
   void project(const AgentStore& agents, Index i, Vec3& position) const override;
   void release(const AgentStore& agents, Index i, Vec3& force) const override;
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(map_, margin_);
+  }
+
  private:
   /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.
   bool deepInside(const Vec3& position, double radius) const;
 
   RadiusMap map_;
-  double margin_;
+  double margin_ = defaultMargin;
 };
 
 }  // namespace restenosis

@@ -11,6 +11,7 @@ namespace restenosis {
 /// from its agents with a weight that falls off over a few radii and interpolated bilinearly.
 class RadiusMap {
  public:
+  RadiusMap() = default;
   /// Averages the agents of one kind. `smoothing` is the standard deviation of the weight [m], at least half
   /// the spacing of the agents; where there are none within three of it the nearest values are continued.
   RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing);
@@ -23,6 +24,12 @@ class RadiusMap {
   double lowestNear(double x, double y, double z) const;
   /// A bound that `at` is nowhere below [m]; infinite without agents.
   double lowest() const { return lowestOfAll_; }
+
+  /// Made again, it may differ by rounding: it sums over agents in the order of the store.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(around_, along_, zLow_, zStep_, values_, lowest_, lowestOfAll_);
+  }
 
  private:
   double& value(int around, int along) { return values_[static_cast<std::size_t>(along) * around_ + around]; }

@@ -7,7 +7,6 @@ namespace restenosis {
 RelaxPart::RelaxPart(World& world)
     : world_(world),
       relaxation_(*world.scene.mechanics, world.scene.vessel.cellRadius),
-      confinement_(world.wall.agents, world.scene.vessel.cellRadius),
       ends_(world.wall.length) {}
 
 Verdict RelaxPart::inputsChanged(const Instant&) const {
@@ -18,7 +17,7 @@ Verdict RelaxPart::inputsChanged(const Instant&) const {
 void RelaxPart::run(const Instant& now) {
   auto measurement = world_.timer.measure("relax");
   world_.forgetLumen();
-  const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
+  const std::array<const Constraint*, 2> constraints{&world_.confinement, &ends_};
   const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
   world_.relaxation.agentEvaluations += report.agentEvaluations;

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "EndPlanes.h"
-#include "OuterConfinement.h"
 #include "Part.h"
 #include "Relaxation.h"
 #include "World.h"
@@ -24,7 +23,6 @@ class RelaxPart : public Part {
  private:
   World& world_;
   Relaxation relaxation_;
-  OuterConfinement confinement_;
   EndPlanes ends_;
 };
 
