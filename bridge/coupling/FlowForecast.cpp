@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "Biology.h"
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
@@ -25,6 +27,7 @@ std::string noFlowBecause(const Scene& scene) {
   if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
   if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
   const double onset = Biology(biologySettings(scene)).endotheliumOnset();
+  if (std::isinf(onset)) return "the endothelium never returns";
   if (onset > scene.scene.duration)
     return fmt::format("endothelium returns after the end of the run (day {:g})", onset / secondsPerDay);
   return "";

@@ -98,11 +98,13 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
       !cycle                    ? "no [cellCycle]"
       : scene.contactInhibition ? "in every step in which an agent moved"
                                 : "no [contactInhibition]: no cell is inhibited");
-  add("endothelium", cycle && scene.endothelium,
+  const double onset = scene.endothelium ? Biology(biologySettings(scene)).endotheliumOnset() : 0;
+  add("endothelium", cycle && scene.endothelium && std::isfinite(onset),
       !scene.endothelium ? "no [endothelium], so no nitric oxide"
       : !cycle           ? "no [cellCycle]"
-                         : fmt::format("\"{}\", in every step from day {:g}", scene.endothelium->scenario,
-                                       Biology(biologySettings(scene)).endotheliumOnset() / day));
+      : std::isinf(onset)
+          ? fmt::format("\"{}\": it never returns", scene.endothelium->scenario)
+          : fmt::format("\"{}\", in every step from day {:g}", scene.endothelium->scenario, onset / day));
   const std::string noFlow = noFlowBecause(scene);
   add("lumen surface", true,
       noFlow.empty() ? "when the flow may be due, and at recorded steps" : "at recorded steps only");

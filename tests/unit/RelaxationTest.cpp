@@ -321,15 +321,20 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
               std::string::npos)
         << e.what();
   }
-  p.firmStiffness = 33;
-  try {
-    Relaxation(p, r).relax(block.agents, block.bonds, {});
-    FAIL();
-  } catch (const RelaxationFailed& e) {
-    EXPECT_NE(std::string(e.what()).find("or a smaller mechanics.firmStiffness"), std::string::npos)
-        << e.what();
-    EXPECT_GT(e.force, 0);
-    EXPECT_LE(e.force, e.report.residual);
+  // Only daughters come to rest at less than the tolerance
+  p.firmStiffness = 100;
+  for (const bool daughters : {false, true}) {
+    for (Index i = 0; i < block.agents.size(); ++i) block.agents.set(i, AgentFlag::daughter, daughters);
+    try {
+      Relaxation(p, r).relax(block.agents, block.bonds, {});
+      FAIL();
+    } catch (const RelaxationFailed& e) {
+      const std::string text = e.what();
+      EXPECT_EQ(text.find("or a smaller mechanics.firmStiffness") != text.npos, daughters) << text;
+      EXPECT_EQ(text.find("of at most") != text.npos, daughters) << text;
+      EXPECT_GT(e.force, 0);
+      EXPECT_LE(e.force, e.report.residual);
+    }
   }
   p = MechanicsParameters();
   p.maximumIterations = 2;

@@ -138,13 +138,20 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
     const Index worst = relaxing.mostRestless();
     const AgentId id = standing.forces.agents().id[worst];
     const double left = standing.forces.residual(worst) / characteristicForce_;
+    // What a daughter whom contacts hold softly may keep is less than the tolerance
+    const double restless = standing.forces.restlessness(worst) / characteristicForce_;
+    const std::string softly =
+        restless > left
+            ? fmt::format(" (of at most {:.3g}, for contacts hold it softly: mechanics.firmStiffness = {})",
+                          parameters_.tolerance * left / restless, parameters_.firmStiffness)
+            : "";
     throw RelaxationFailed(
         fmt::format(
             "the relaxation did not reach mechanics.tolerance = {} within mechanics.maximumIterations "
-            "= {}: the force on agent {} is still {:.3g} times C r0^2{}. Allow more iterations or a "
+            "= {}: the force on agent {} is still {:.3g} times C r0^2{}{}. Allow more iterations or a "
             "larger tolerance{}, or set mechanics.stopAtMaximum = true to go on with what was reached",
-            parameters_.tolerance, parameters_.maximumIterations, id, left, shortSteps(parameters_),
-            parameters_.firmStiffness > 0 ? " or a smaller mechanics.firmStiffness" : ""),
+            parameters_.tolerance, parameters_.maximumIterations, id, left, softly, shortSteps(parameters_),
+            softly.empty() ? "" : " or a smaller mechanics.firmStiffness"),
         report, id, left);
   }
   return report;
