@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 #include "Checkpoint.h"
@@ -35,6 +36,10 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
     std::cerr << advice.flowFailed << '\n';
   } catch (const Interrupted&) {
     std::cerr << fmt::format("\n{}\n", advice.interrupted);
+  } catch (const std::bad_alloc&) {
+    std::cerr
+        << "\nout of memory: a coarser coupling.surfaceResolution, mesh or lattice, or a smaller vessel "
+           "needs less\n";
   } catch (const std::exception& error) {
     std::cerr << fmt::format("\n{}\n", error.what());
   }

@@ -11,6 +11,7 @@
 #include "AtomicFile.h"
 #include "FileContent.h"
 #include "Progress.h"
+#include "Relaxation.h"
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneFingerprint.h"
@@ -73,6 +74,19 @@ Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& te
   return outcomeIn(folder);
 }
 
+/// The same; nothing, and why on standard error, where the tissue or the flow of this scene failed.
+std::optional<Outcome> triedIn(const fs::path& folder, const Scene& scene, const std::string& text,
+                               const TradeoffOptions& options) {
+  try {
+    return madeIn(folder, scene, text, options);
+  } catch (const RelaxationFailed& error) {
+    std::cerr << fmt::format("\n{}\n", error.what());
+  } catch (const FlowFailed& error) {
+    std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
+  }
+  return std::nullopt;
+}
+
 TradeoffRow compared(const SweptSetting& setting, std::size_t n, const Outcome& reference,
                      const Outcome& outcome) {
   TradeoffRow row{setting.key, setting.values[n], outcome.seconds, 0.0, ""};
@@ -111,7 +125,7 @@ std::vector<TradeoffRow> runTradeoff(const std::vector<SweptSetting>& settings,
                                      const std::vector<std::vector<Scene>>& scenes, const fs::path& folder,
                                      const TradeoffOptions& options) {
   std::vector<TradeoffRow> rows;
-  std::map<std::string, Outcome> made;  // by the whole scene
+  std::map<std::string, std::optional<Outcome>> made;  // by the whole scene
   for (std::size_t s = 0; s < settings.size(); ++s) {
     std::optional<Outcome> reference;
     for (std::size_t n = 0; n < settings[s].values.size(); ++n) {
@@ -120,9 +134,15 @@ std::vector<TradeoffRow> runTradeoff(const std::vector<SweptSetting>& settings,
       auto found = made.find(text);
       if (found == made.end()) {
         std::cerr << fmt::format("{}:\n", name);
-        found = made.emplace(text, madeIn(folder / withoutSpaces(name), scenes[s][n], text, options)).first;
+        found = made.emplace(text, triedIn(folder / withoutSpaces(name), scenes[s][n], text, options)).first;
       }
-      const Outcome& outcome = found->second;
+      if (!found->second) {
+        std::cerr << fmt::format("{} is left out: its run failed{}\n", name,
+                                 reference ? "" : ", and the others are to be compared with it");
+        if (!reference) break;
+        continue;
+      }
+      const Outcome& outcome = *found->second;
       if (!reference) reference = outcome;
       if (outcome.day == reference->day) {
         rows.push_back(compared(settings[s], n, *reference, outcome));

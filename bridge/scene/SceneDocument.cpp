@@ -9,11 +9,14 @@ namespace restenosis {
 namespace {
 /// The parser has met what it takes for impossible: a header whose name begins with no character of a name.
 struct ParserAtALoss {};
+constexpr void expectedByParser(bool fulfilled) {
+  if (!fulfilled) throw ParserAtALoss();
+}
 }  // namespace
 }  // namespace restenosis
 
 // Its assertions would abort the program
-#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : throw restenosis::ParserAtALoss())
+#define TOML_ASSERT(expr) restenosis::expectedByParser(static_cast<bool>(expr))
 #include <toml++/toml.h>
 
 #include "Trimmed.h"

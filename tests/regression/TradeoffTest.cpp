@@ -67,6 +67,15 @@ TEST_F(Tradeoff, RunsWhatIsAskedForOnceAndGoesOn) {
   EXPECT_EQ(summary("out/runs/scene.seed=2")["sceneFingerprint"], fingerprint);
 }
 
+TEST_F(Tradeoff, LeavesOutARunThatFails) {
+  const std::string small = scene("small", smallVessel);
+  const ProcessEnd end =
+      run({"tradeoff", small, "-o", "out", "--vary", "mechanics.maximumIterations=20000,1"});
+  EXPECT_EXIT_STATUS(end, 0);
+  EXPECT_NE(end.err.find("mechanics.maximumIterations = 1 is left out"), std::string::npos) << end.err;
+  EXPECT_EQ(lines("out/tradeoff.csv").size(), 2u);
+}
+
 TEST_F(Tradeoff, MeasuresTheFlowAgainstWhatIsKnown) {
   const std::string tube = scene("tube", R"([scene]
 duration = "1 h"
