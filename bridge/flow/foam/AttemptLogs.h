@@ -9,7 +9,7 @@ namespace restenosis {
 
 /// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, and the first
 /// with a new one.
-constexpr std::string_view movedMeshLogs = "movedMesh", firstAttemptLogs = "firstAttempt";
+inline constexpr std::string_view movedMeshLogs = "movedMesh", firstAttemptLogs = "firstAttempt";
 
 /// What a case's folder holds of the attempts to solve it so far, by the file's place in it: the logs of the
 /// last attempt, which are to be in the folder `into` from now on, and those kept of others.
