@@ -9,6 +9,13 @@
 
 namespace restenosis {
 
+/// So many numbers in single precision as a register of the processor holds.
+#ifdef __AVX512F__
+inline constexpr int floatsInRegister = 16;
+#else
+inline constexpr int floatsInRegister = 8;
+#endif
+
 /// n numbers on which arithmetic, sqrt(), min() and max() work element by element, in as many vector
 /// registers as the processor needs for them (GCC's and Clang's vector extension). All operations are those
 /// of IEEE 754, none is approximated, so results do not depend on the width of the registers.
@@ -26,6 +33,7 @@ class Numbers {
 
   Real operator[](int k) const { return v_[k]; }
   void set(int k, Real value) { v_[k] = value; }
+  const Vector& vector() const { return v_; }
 
   friend Numbers operator+(const Numbers& a, const Numbers& b) { return Numbers(a.v_ + b.v_); }
   friend Numbers operator-(const Numbers& a, const Numbers& b) { return Numbers(a.v_ - b.v_); }
@@ -51,6 +59,16 @@ class Numbers {
   Vector v_;
 };
 
+/// One vector of one or two of eight.
+template <class Eight, std::size_t count>
+[[gnu::always_inline]] inline auto joined(const std::array<Eight, count>& parts) {
+  static_assert(count == 1 || count == 2);
+  if constexpr (count == 1)
+    return parts[0];
+  else
+    return __builtin_shufflevector(parts[0], parts[1], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
 /// Columns of a square or taller table of numbers: columns[n] gets the n-th of the numbers at row(k) in its
 /// element k.
 template <class Stored, class Real, int lanes, std::size_t count, class Row>
@@ -73,6 +91,12 @@ template <class Stored, class Real, int lanes, std::size_t count, class Row>
       columns[k + 4] =
           Numbers<Real, lanes>(V(__builtin_shufflevector(a[k], a[k + 4], 4, 5, 6, 7, 12, 13, 14, 15)));
     }
+  } else if constexpr (std::is_same_v<Stored, Real> && sizeof(Real) == 4 && lanes == 16 && count == 8) {
+    std::array<Numbers<Real, 8>, 8> upper, lower;
+    transpose<Stored>(row, upper);
+    transpose<Stored>([&](int k) { return row(k + 8); }, lower);
+    for (std::size_t n = 0; n < count; ++n)
+      columns[n] = Numbers<Real, lanes>(joined(std::array{upper[n].vector(), lower[n].vector()}));
   } else {
     for (std::size_t n = 0; n < count; ++n)
       for (int k = 0; k < lanes; ++k) columns[n].set(k, row(k)[n]);

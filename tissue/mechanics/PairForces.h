@@ -7,6 +7,7 @@
 #include <ranges>
 #include <span>
 
+#include "AlikeRows.h"
 #include "BondAttraction.h"
 #include "Cohesion.h"
 #include "ContactLaws.h"
@@ -171,12 +172,16 @@ void evaluatePairs(const ForceInput& in, const Spheres& spheres, std::span<const
   const Forces forces(in, spheres);
   std::array<Index, lanes> agents;
   std::array<AgentLoad, lanes> ofLanes;
-  for (std::size_t first = 0; first < subset.size(); first += lanes) {
-    const std::size_t count = std::min(lanes, subset.size() - first);
-    std::copy_n(subset.begin() + first, count, agents.begin());
-    std::fill(agents.begin() + count, agents.end(), agents[0]);
-    forces.evaluate(agents, ofLanes);
-    std::copy_n(ofLanes.begin(), count, loads.begin() + first);
+  for (std::size_t begin = 0; begin < subset.size(); begin += AlikeRows::most) {
+    const auto piece = subset.subspan(begin, std::min(AlikeRows::most, subset.size() - begin));
+    const AlikeRows order(in.pairs, piece);
+    for (std::size_t first = 0; first < piece.size(); first += lanes) {
+      const std::size_t count = std::min(lanes, piece.size() - first);
+      for (std::size_t n = 0; n < count; ++n) agents[n] = piece[order[first + n]];
+      std::fill(agents.begin() + count, agents.end(), agents[0]);
+      forces.evaluate(agents, ofLanes);
+      for (std::size_t n = 0; n < count; ++n) loads[begin + order[first + n]] = ofLanes[n];
+    }
   }
 }
 

@@ -73,12 +73,12 @@ class ExactSpheres {
   std::span<const Sphere> spheres_;
 };
 
-/// Eight agents at a time in mixed precision.
+/// Eight or sixteen agents at a time in mixed precision.
 class FixedSpheres {
  public:
-  static constexpr int lanes = 8;
+  static constexpr int lanes = floatsInRegister;
   using Values = Numbers<float, lanes>;
-  // The compiler's vectors: eight numbers on any processor, in as many registers as they need.
+  // The compiler's vectors.
   using Words = std::uint32_t __attribute__((vector_size(4 * lanes)));
   struct Places {
     Words x, y, z;
@@ -93,6 +93,9 @@ class FixedSpheres {
   }
 
  private:
+  using EightWords = std::uint32_t __attribute__((vector_size(32)));
+  /// x, y, z and r of eight agents.
+  std::array<EightWords, 4> eight(const Index* agents) const;
   Values metres(Words difference) const;
 
   std::span<const FixedSphere> spheres_;
@@ -105,7 +108,7 @@ std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody);
 /// The agents as FixedSpheres wants them, and nobody likewise.
 std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale);
 
-inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
+inline std::array<FixedSpheres::EightWords, 4> FixedSpheres::eight(const Index* agents) const {
   using Half = std::uint32_t __attribute__((vector_size(16)));
   static_assert(sizeof(Half) == sizeof(FixedSphere));
   const auto half = [&](int k) {
@@ -117,17 +120,25 @@ inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
   const auto pair = [&](int k) {
     return __builtin_shufflevector(half(k), half(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
   };
-  const Words a = pair(0), b = pair(1), c = pair(2), d = pair(3);
-  const Words xyab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Words xycd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Words zrab = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Words zrcd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
-  Places p;
-  p.x = __builtin_shufflevector(xyab, xycd, 0, 1, 8, 9, 4, 5, 12, 13);
-  p.y = __builtin_shufflevector(xyab, xycd, 2, 3, 10, 11, 6, 7, 14, 15);
-  p.z = __builtin_shufflevector(zrab, zrcd, 0, 1, 8, 9, 4, 5, 12, 13);
-  p.r = Values((Values::Vector)__builtin_shufflevector(zrab, zrcd, 2, 3, 10, 11, 6, 7, 14, 15));
-  return p;
+  const EightWords a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+  const EightWords xyab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const EightWords xycd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const EightWords zrab = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const EightWords zrcd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {__builtin_shufflevector(xyab, xycd, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(xyab, xycd, 2, 3, 10, 11, 6, 7, 14, 15),
+          __builtin_shufflevector(zrab, zrcd, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(zrab, zrcd, 2, 3, 10, 11, 6, 7, 14, 15)};
+}
+
+inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
+  std::array<std::array<EightWords, lanes / 8>, 4> columns;
+  for (int part = 0; part < lanes / 8; ++part) {
+    const auto ofEight = eight(agents + 8 * part);
+    for (int c = 0; c < 4; ++c) columns[c][part] = ofEight[c];
+  }
+  return {joined(columns[0]), joined(columns[1]), joined(columns[2]),
+          Values((Values::Vector)joined(columns[3]))};
 }
 
 inline FixedSpheres::Values FixedSpheres::metres(Words difference) const {
