@@ -79,7 +79,7 @@ std::filesystem::path resultsPath(const Scene& scene, const RunArguments& argume
 std::string differencesFrom(const std::filesystem::path& path, const Scene& scene) {
   try {
     const Units units;
-    const auto keys = decisiveDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
+    const auto keys = lastingDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
     if (keys.empty()) {
       return "the keys are the same: a file that the scene names has been changed, or the two versions of "
              "the program do not have the same keys";
@@ -122,7 +122,8 @@ int tryRun(const RunArguments& arguments) {
   return exitStatusOf(
       [&] { return runScene(*scene, arguments); },
       {.interrupted = "interrupted; go on with --resume",
-       .flowFailed = "Results so far are kept; go on with --resume.",
+       .flowFailed = "Results so far are kept; go on with --resume, with another scene.fidelity or other "
+                     "settings in [foam] or [lbm] if these are the cause.",
        .foreignCheckpoint = [&] { return differencesFrom(resultsPath(*scene, arguments), *scene); }});
 }
 

@@ -8,6 +8,7 @@
 #include "Biology.h"
 #include "FlowBackendNames.h"
 #include "FlowForecast.h"
+#include "LumenGrid.h"
 #include "Run.h"
 #include "SceneChecks.h"
 #include "SecondsPerDay.h"
@@ -21,7 +22,9 @@ constexpr double day = secondsPerDay;
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
-  double bytesPerAgent = 900;  ///< state, bonds, neighbour lists, output buffers
+  double programBytes = 5e7;
+  double bytesPerAgent = 600;  ///< state, bonds, neighbour lists, output buffers
+  double bytesPerNode = 17;    ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
   double deploySecondsPerStep = 3e-6;  ///< per agent
   double growSecondsPerStep = 1.5e-6;  ///< per agent
@@ -57,6 +60,14 @@ std::string forecastText(const Scene& scene) {
   return text;
 }
 
+/// About the grid that the lumen of the deployed wall is taken from.
+LumenGrid lumenGrid(const Scene& scene) {
+  const VesselParameters& vessel = scene.vessel;
+  const double deployed = scene.stent ? scene.stent->deploymentDepth : 0;
+  return {vessel.length, vessel.lumenDiameter / 2 + vessel.wallThickness + deployed,
+          scene.coupling.surfaceResolution};
+}
+
 /// Agents, memory and time of the tissue, or empty where there is none.
 std::string costText(const Scene& scene, std::uint32_t steps) {
   if (!scene.hasTissue()) return "";
@@ -68,8 +79,10 @@ std::string costText(const Scene& scene, std::uint32_t steps) {
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
   const double seconds = agents * (packing + deploySteps * cost.deploySecondsPerStep +
                                    (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
+  const double bytes = cost.programBytes + agents * cost.bytesPerAgent +
+                       static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;
   return fmt::format("{}{:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
-                     loaded ? "" : "about ", agents, 100 + agents * cost.bytesPerAgent / 1e6, seconds);
+                     loaded ? "" : "about ", agents, bytes / 1e6, seconds);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ Run::Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, co
       options_(options),
       world_(scene, folder, progress),
       checkpoint_(folder.checkpoint()),
-      fingerprint_(sceneFingerprint(scene)),
+      sceneFingerprint_(sceneFingerprint(scene)),
+      checkpointFingerprint_(checkpointFingerprint(scene)),
       lastCheckpoint_(std::chrono::steady_clock::now()) {
   omp_set_num_threads(options.threads);
 }
@@ -71,7 +72,7 @@ void Run::resume() {
         fmt::format("no checkpoint: starting afresh{}", moved ? "; the former run is in previous/" : ""));
     return;
   }
-  ReadingArchive state(checkpoint_.load(fingerprint_));
+  ReadingArchive state(checkpoint_.load(checkpointFingerprint_));
   archive(state);
   if (nextStep_ > stepCount(scene_.scene)) {
     throw CheckpointRefused(
@@ -90,8 +91,8 @@ void Run::resume() {
 void Run::requireFormerCase() {
   noteCaseInCheckpoint();
   const auto& folder = world_.caseInCheckpoint;
-  if (folder.empty() || !flowNeedsFormerCase_ || std::filesystem::is_directory(folder / "constant/polyMesh"))
-    return;
+  const bool needed = flowNeedsFormerCase_ && world_.flow.settings == flowSettings(scene_);
+  if (folder.empty() || !needed || std::filesystem::is_directory(folder / "constant/polyMesh")) return;
   throw CheckpointRefused(
       CheckpointRefused::Reason::caseMissing,
       fmt::format("{} goes on from the flow in {}, which is not there: start the run again",
@@ -269,7 +270,7 @@ void Run::checkpointWhenDue(bool regular) {
 
 void Run::saveCheckpoint() {
   auto measurement = world_.timer.measure("output");
-  checkpoint_.save(fingerprint_, [this](StreamingArchive& state) { archive(state); });
+  checkpoint_.save(checkpointFingerprint_, [this](StreamingArchive& state) { archive(state); });
   lastCheckpoint_ = std::chrono::steady_clock::now();
   noteCaseInCheckpoint();
 }
@@ -325,7 +326,7 @@ void Run::writeSummary() {
   summary.threads = options_.threads;
   summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
-  summary.sceneFingerprint = fingerprint_;
+  summary.sceneFingerprint = sceneFingerprint_;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;

@@ -79,7 +79,7 @@ class Run {
   RunOptions options_;
   World world_;
   Checkpoint checkpoint_;
-  std::string fingerprint_;
+  std::string sceneFingerprint_, checkpointFingerprint_;  ///< of when the run was started or resumed
   std::unique_ptr<Schedule> schedule_;
   RecordPart* record_ = nullptr;  ///< owned by the schedule
   bool flowNeedsFormerCase_ = false;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "FileContent.h"
+#include "FlowBackendNames.h"
 #include "StateArchive.h"
 
 namespace restenosis {
@@ -54,6 +55,20 @@ std::map<std::string, std::string> collect(Scene scene, bool fileContents) {
   return values;
 }
 
+template <class Section>
+std::map<std::string, std::string> collect(Section section) {
+  std::map<std::string, std::string> values;
+  ValueCollector collector(section.section, true, values);
+  section.describe(collector);
+  return values;
+}
+
+std::string hashOf(std::map<std::string, std::string> values) {
+  HashingArchive archive;
+  archive(values);
+  return archive.digest();
+}
+
 }  // namespace
 
 std::map<std::string, std::string> sceneValues(const Scene& scene) { return collect(scene, false); }
@@ -67,8 +82,18 @@ std::map<std::string, std::string> decisiveValues(const Scene& scene) {
   return values;
 }
 
-std::vector<std::string> decisiveDifferences(const Scene& a, const Scene& b) {
-  const auto before = decisiveValues(a), after = decisiveValues(b);
+std::map<std::string, std::string> lastingValues(const Scene& scene) {
+  auto values = decisiveValues(scene);
+  std::erase_if(values, [](const auto& entry) {
+    const std::string section = entry.first.substr(0, entry.first.find('.'));
+    return section == FoamSettings::section || section == LbmSettings::section ||
+           entry.first == "scene.fidelity";
+  });
+  return values;
+}
+
+std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b) {
+  const auto before = lastingValues(a), after = lastingValues(b);
   std::set<std::string> names;
   for (const auto* values : {&before, &after}) {
     for (const auto& [name, value] : *values) {
@@ -85,11 +110,15 @@ std::vector<std::string> decisiveDifferences(const Scene& a, const Scene& b) {
   return {names.begin(), names.end()};
 }
 
-std::string sceneFingerprint(const Scene& scene) {
-  auto values = decisiveValues(scene);
-  HashingArchive archive;
-  archive(values);
-  return archive.digest();
+std::map<std::string, std::string> flowSettings(const Scene& scene) {
+  if (!scene.flow) return {};
+  if (scene.flow->backend == flowBackendNames::foam) return collect(scene.foamSettings());
+  if (scene.flow->backend == flowBackendNames::lbm) return collect(scene.lbmSettings());
+  return {};
 }
+
+std::string sceneFingerprint(const Scene& scene) { return hashOf(decisiveValues(scene)); }
+
+std::string checkpointFingerprint(const Scene& scene) { return hashOf(lastingValues(scene)); }
 
 }  // namespace restenosis

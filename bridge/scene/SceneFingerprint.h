@@ -17,12 +17,23 @@ std::map<std::string, std::string> sceneValues(const Scene& scene);
 /// wherever they lie. Throws std::runtime_error when one cannot be read.
 std::map<std::string, std::string> decisiveValues(const Scene& scene);
 
-/// What the `decisiveValues` of two scenes differ in: "section.key", or "[section]" for one that only one of
-/// them models.
-std::vector<std::string> decisiveDifferences(const Scene& a, const Scene& b);
+/// Of these, what may not change in the course of a run: without what only says how accurately a backend
+/// computes the flow, which are `scene.fidelity`, [foam] and [lbm].
+std::map<std::string, std::string> lastingValues(const Scene& scene);
 
-/// A hash over `decisiveValues`: two scenes with one fingerprint have the same states at the same times.
-/// A checkpoint may be resumed under any scene with its fingerprint.
+/// What the `lastingValues` of two scenes differ in: "section.key", or "[section]" for one that only one of
+/// them models.
+std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b);
+
+/// The settings that the scene's backend is given, of its section or of what `scene.fidelity` stands for:
+/// "section.key" -> value as above. Empty where there are none.
+std::map<std::string, std::string> flowSettings(const Scene& scene);
+
+/// A hash over `decisiveValues`: two scenes with one fingerprint, run from the start, have the same states at
+/// the same times.
 std::string sceneFingerprint(const Scene& scene);
+
+/// A hash over `lastingValues`: a checkpoint may be resumed under any scene with its fingerprint.
+std::string checkpointFingerprint(const Scene& scene);
 
 }  // namespace restenosis

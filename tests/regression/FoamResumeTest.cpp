@@ -53,6 +53,21 @@ TEST_P(FoamResume, aKilledRunStartsFromTheCaseThatItsCheckpointKnows) {
   EXPECT_EQ(summary("out")["flow"], flow);
 }
 
+TEST_P(FoamResume, otherSettingsNeedNoFormerCase) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const std::string text = tiny();
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "out", "--set", "scene.duration=76 h"}), 0);
+  const int solved = summary("out")["flow"]["solvesDone"];
+  std::filesystem::remove_all(folder / "out/flow");
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "out", "--resume", "--set", "foam.snapIterations=2"}), 0);
+  const auto after = summary("out");
+  ASSERT_EQ(after["flow"]["solvesDone"], solved + 1);
+  int said = 0;
+  for (const std::string remark : after["remarks"])
+    said += remark.ends_with("computed with other settings than before, foam.snapIterations");
+  EXPECT_EQ(said, 1) << after["remarks"];
+}
+
 INSTANTIATE_TEST_SUITE_P(remesh, FoamResume, ::testing::Values("always", "onDemand"),
                          [](const auto& test) { return std::string(test.param); });
 

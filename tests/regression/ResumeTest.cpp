@@ -174,6 +174,41 @@ TEST_F(Resume, RefusesACheckpointThatIsDamagedOrOfAnotherScene) {
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
 }
 
+TEST_F(Resume, AFlowThatFailsForItsSettingsIsSolvedWithOthers) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"analytic\"", "\"lbm\""));
+  const std::vector<std::string> resume = {"run", tiny, "-o", "out", "--resume"};
+  const auto withSettings = [](std::vector<std::string> arguments, const std::string& more) {
+    arguments.insert(arguments.end(), {"--set", more});
+    return arguments;
+  };
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "reference"}), 0);
+  ASSERT_GE(summary("reference")["flow"]["solvesDone"], 2);
+  EXPECT_TRUE(summary("reference")["remarks"].empty());
+
+  const ProcessEnd failed = run(withSettings({"run", tiny, "-o", "out"}, "lbm.maximumSteps=100"));
+  EXPECT_EXIT_STATUS(failed, 1);
+  EXPECT_NE(failed.err.find("settings in [foam] or [lbm]"), std::string::npos) << failed.err;
+  EXPECT_EXIT_STATUS(run(withSettings(resume, "lbm.maximumSteps=100")), 1);
+  // The settings that nothing was solved with are not missed
+  ASSERT_EXIT_STATUS(run(resume), 0);
+  EXPECT_EQ(digest("out"), digest("reference"));
+  EXPECT_TRUE(summary("out")["remarks"].empty());
+  EXPECT_EQ(summary("out")["sceneFingerprint"], summary("reference")["sceneFingerprint"]);
+}
+
+TEST_F(Resume, WithOtherSettingsOfTheFlowSaysSo) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"analytic\"", "\"lbm\""));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", "scene.duration=3.5 d"}), 0);
+  const int solved = summary("out")["flow"]["solvesDone"];
+  ASSERT_GE(solved, 1);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume", "--set", "lbm.dx=25 um"}), 0);
+  ASSERT_GT(summary("out")["flow"]["solvesDone"], solved);
+  const auto remarks = summary("out")["remarks"];
+  ASSERT_EQ(remarks.size(), 1U) << remarks;
+  EXPECT_NE(remarks[0].get<std::string>().find("other settings than before, lbm.dx"), std::string::npos)
+      << remarks;
+}
+
 TEST_F(Resume, SaysWhenThereIsNothingToResume) {
   const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "nowhere", "--resume"});
   EXPECT_EXIT_STATUS(end, 2);

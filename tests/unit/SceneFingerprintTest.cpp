@@ -25,17 +25,58 @@ TEST(SceneFingerprint, FollowsWhatInfluencesResultsOnly) {
   }
 }
 
+TEST(SceneFingerprint, LetsARunGoOnWithAnotherAccuracyOfTheFlow) {
+  Scene scene;
+  scene.flow.emplace().backend = "lbm";
+  Scene fidelity = scene, foam = scene, lbm = scene;
+  fidelity.scene.fidelity = "draft";
+  foam.foam.emplace();
+  lbm.lbm.emplace().dx = 1e-5;
+  for (const Scene* changed : {&fidelity, &foam, &lbm}) {
+    EXPECT_NE(sceneFingerprint(*changed), sceneFingerprint(scene));
+    EXPECT_EQ(checkpointFingerprint(*changed), checkpointFingerprint(scene));
+    EXPECT_TRUE(lastingDifferences(scene, *changed).empty());
+  }
+  Scene backend = scene, schedule = scene;
+  backend.flow->backend = "foam";
+  schedule.coupling.schedule = "everyStep";
+  for (const Scene* changed : {&backend, &schedule})
+    EXPECT_NE(checkpointFingerprint(*changed), checkpointFingerprint(scene));
+}
+
+TEST(SceneFingerprint, KnowsTheSettingsOfTheFlowWhereverTheyComeFrom) {
+  Scene scene;
+  EXPECT_TRUE(flowSettings(scene).empty());
+  scene.flow.emplace().backend = "analytic";
+  EXPECT_TRUE(flowSettings(scene).empty());
+  for (const char* backend : {"foam", "lbm"}) {
+    SCOPED_TRACE(backend);
+    scene.flow->backend = backend;
+    Scene given = scene, finer = scene;
+    given.foam = given.foamSettings();
+    given.lbm = given.lbmSettings();
+    finer.scene.fidelity = "reference";
+    EXPECT_FALSE(flowSettings(scene).empty());
+    EXPECT_EQ(flowSettings(given), flowSettings(scene));
+    EXPECT_NE(flowSettings(finer), flowSettings(scene));
+  }
+  Scene other = scene;
+  other.foam = other.foamSettings();
+  other.foam->snapIterations += 1;
+  EXPECT_EQ(flowSettings(other), flowSettings(scene)) << "the backend is lbm";
+}
+
 TEST(SceneFingerprint, NamesWhatTwoScenesDifferIn) {
   Scene a, b;
   a.scene.title = "one";
   b.scene.title = "other";
-  EXPECT_TRUE(decisiveDifferences(a, b).empty());
+  EXPECT_TRUE(lastingDifferences(a, b).empty());
   b.scene.seed = 2;
   b.vessel.length *= 2;
   b.mechanics.emplace();
   const std::vector<std::string> expected{"[mechanics]", "scene.seed", "vessel.length"};
-  EXPECT_EQ(decisiveDifferences(a, b), expected);
-  EXPECT_EQ(decisiveDifferences(b, a), expected);
+  EXPECT_EQ(lastingDifferences(a, b), expected);
+  EXPECT_EQ(lastingDifferences(b, a), expected);
 }
 
 TEST(SceneFingerprint, CountsFilesByTheirContents) {

@@ -4,12 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "NameList.h"
+#include "SceneFingerprint.h"
 #include "SecondsPerDay.h"
 #include "StressReaders.h"
 #include "SurfaceCheck.h"
 
 namespace restenosis {
+namespace {
+
+/// The keys whose values differ.
+std::string differences(const std::map<std::string, std::string>& before,
+                        const std::map<std::string, std::string>& now) {
+  std::vector<std::string_view> keys;
+  for (const auto& [key, value] : now) {
+    const auto former = before.find(key);
+    if (former == before.end() || former->second != value) keys.push_back(key);
+  }
+  return commaSeparated(keys);
+}
+
+}  // namespace
 
 Verdict FlowPart::inputsChanged(const Instant&) const {
   if (world_.flow.solves == 0) return Verdict::run();
@@ -44,11 +64,19 @@ void FlowPart::run(const Instant& now) {
   }
   auto measurement = world_.timer.measure("flow");
   const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
-  if (world_.flow.solves > 0) backend_->startFrom(world_.folder.flowCase(world_.flow.time));
+  const auto settings = flowSettings(world_.scene);
+  if (world_.flow.solves > 0) {
+    // What other settings have left is neither the mesh nor the flow that these would
+    if (settings == world_.flow.settings)
+      backend_->startFrom(world_.folder.flowCase(world_.flow.time));
+    else
+      remark(now, fmt::format("computed with other settings than before, {}",
+                              differences(world_.flow.settings, settings)));
+  }
   world_.flow.last = backend_->solve(lumen, conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
-  for (const auto& remark : world_.flow.last->remarks)
-    world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / secondsPerDay, remark));
+  world_.flow.settings = settings;
+  for (const auto& text : world_.flow.last->remarks) remark(now, text);
   world_.flow.time = now.time;
   ++world_.flow.solves;
   if (world_.flow.last->meshMoved) ++world_.flow.meshesMoved;
@@ -57,6 +85,10 @@ void FlowPart::run(const Instant& now) {
   world_.lumen.atLastFlow = world_.lumen.present;
   world_.changes.touch(Quantity::wallTraction);
   if (world_.scene.output.keepFlowCases == "last") removeFormerCases(folder);
+}
+
+void FlowPart::remark(const Instant& now, const std::string& text) {
+  world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / secondsPerDay, text));
 }
 
 void FlowPart::removeFormerCases(const std::filesystem::path& present) const {

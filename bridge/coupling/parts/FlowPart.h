@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "FlowBackend.h"
 #include "Part.h"
@@ -26,6 +27,7 @@ class FlowPart : public Part {
  private:
   /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
   double undecidedShareMoved() const;
+  void remark(const Instant& now, const std::string& text);
   /// All but the present one and that which a resumed run would start from.
   void removeFormerCases(const std::filesystem::path& present) const;
 

@@ -151,7 +151,11 @@ void FoamRun::checkPatches() {
                     faces["outlet"] == 0 ? "outlet" : "inlet", log("snappyHexMesh").string()),
         log("snappyHexMesh"));
   if (faces["wall"] == 0) fail("snappyHexMesh", "the mesh has no faces on the wall");
-  if (lumen_.hasStruts() && faces["strut"] == 0) fail("snappyHexMesh", "the mesh has no faces on the struts");
+  if (lumen_.hasStruts() && faces["strut"] == 0)
+    fail(
+        "snappyHexMesh",
+        "the mesh has no faces on the struts: its cells are too large for what is left of them in the lumen; "
+        "choose a finer scene.fidelity, or a higher strutLevel in [foam]");
 }
 
 void FoamRun::solve(const FoamStart* start) {
