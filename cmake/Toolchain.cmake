@@ -11,6 +11,8 @@ endif()
 # -fno-math-errno and -fno-trapping-math let square roots vectorise and change no result.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -march=native -fno-math-errno
                     -fno-trapping-math)
+# Vectors wider than the processor's registers are passed between functions of one build only.
+add_compile_options(-Wno-psabi)
 if(RESTENOSIS_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()

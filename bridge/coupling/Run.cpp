@@ -35,6 +35,7 @@ namespace {
 constexpr std::chrono::seconds longestUnsaved{30};
 
 bool isMultiple(double time, double interval, double step) {
+  if (interval <= step) return true;  // and the quotient may be beyond all numbers
   const double periods = time / interval;
   return std::abs(periods - std::round(periods)) * interval < 0.5 * step;
 }
@@ -83,6 +84,11 @@ void Run::resume() {
                     scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
+  if (const auto settings = flowSettings(scene_);
+      world_.flow.solves > 0 && settings != world_.flow.settings) {
+    world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
+                                        settingsInPlace(world_.flow.settings, settings)));
+  }
   // It is of an end that is none any more
   std::filesystem::remove(folder_.summary());
   if (stage_ == Stage::growing) record_->begin();
@@ -326,7 +332,7 @@ void Run::writeSummary() {
   summary.threads = options_.threads;
   summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
-  summary.sceneFingerprint = sceneFingerprint_;
+  summary.sceneFingerprint = world_.flow.mixed ? "" : sceneFingerprint_;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;

@@ -32,7 +32,7 @@ struct RunOptions {
 
 /// A run from the packed wall to the end of growth: packs, deploys, injures, and then makes the coupled steps
 /// of model 9. At every moment the checkpoint in the results folder holds a whole earlier state; a run gone
-/// on from it ends in the same state as one that never stopped.
+/// on from it with the same settings ends in the same state as one that never stopped.
 class Run {
  public:
   Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, const RunOptions& options);

@@ -47,10 +47,11 @@ struct FlowState {
   std::uint64_t meshesMoved = 0;                         ///< solves whose mesh was the former one, moved
   std::map<std::string, std::uint64_t> remeshedBecause;  ///< how often it was not, by reason
   std::map<std::string, std::string> settings;           ///< of its backend (flowSettings)
+  bool mixed = false;                                    ///< whether earlier solves had others
 
   template <class Archive>
   void archive(Archive& a) {
-    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings);
+    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings, mixed);
   }
 };
 

@@ -132,9 +132,10 @@ std::string Checkpoint::load(std::string_view fingerprint) const {
   if (header.fingerprint != fingerprint) {
     throw refuse(
         Reason::foreign,
-        fmt::format("belongs to another scene or to other settings (fingerprint {}, this scene has {}; "
-                    "written by {}); resume with the scene it was started with, or start again",
-                    header.fingerprint, fingerprint, header.writtenBy));
+        fmt::format(
+            "belongs to another scene or to other settings (it was written by {}); resume with the scene "
+            "it was started with, or start again",
+            header.writtenBy));
   }
   return state;
 }

@@ -39,8 +39,8 @@ class Checkpoint {
   /// Passes a state to an archive.
   using StateWriter = std::function<void(StreamingArchive&)>;
 
-  /// Replaces the stored state. `fingerprint` identifies everything of the scene that decides the run's
-  /// result. `state` is called twice, for the checksum and for the file, and must pass the same both times: a
+  /// Replaces the stored state. `fingerprint` identifies what of the scene may not change when the run goes
+  /// on. `state` is called twice, for the checksum and for the file, and must pass the same both times: a
   /// copy in memory would double what a run needs. Throws WriteFailed; the former checkpoint is then still
   /// there and complete.
   void save(std::string_view fingerprint, const StateWriter& state) const;

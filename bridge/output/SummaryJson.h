@@ -22,7 +22,7 @@ struct Summary {
   int threads = 1;
   int ranks = 1;                 ///< MPI processes of OpenFOAM
   std::string flowBackend;       ///< empty when no flow is modelled
-  std::string sceneFingerprint;  ///< of all keys and files that decide the result
+  std::string sceneFingerprint;  ///< of all keys and files that decide the result, empty if these changed
   std::string stateDigest;
   TimeSeriesRow last;                              ///< the final values
   std::optional<DeploymentStatistics> deployment;  ///< where there is a stent

@@ -117,6 +117,18 @@ std::map<std::string, std::string> flowSettings(const Scene& scene) {
   return {};
 }
 
+std::string settingsInPlace(const std::map<std::string, std::string>& before,
+                            const std::map<std::string, std::string>& now) {
+  std::string list;
+  for (const auto& [key, value] : now) {
+    const auto former = before.find(key);
+    if (former != before.end() && former->second == value) continue;
+    list += fmt::format("{}{} = {} (before: {})", list.empty() ? "" : ", ", key, value,
+                        former == before.end() ? "none" : former->second);
+  }
+  return list;
+}
+
 std::string sceneFingerprint(const Scene& scene) { return hashOf(decisiveValues(scene)); }
 
 std::string checkpointFingerprint(const Scene& scene) { return hashOf(lastingValues(scene)); }

@@ -29,6 +29,10 @@ std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b);
 /// "section.key" -> value as above. Empty where there are none.
 std::map<std::string, std::string> flowSettings(const Scene& scene);
 
+/// Where `now` differs from `before`, both flowSettings of one backend: "lbm.dx = 2e-05 (before: 3e-05)".
+std::string settingsInPlace(const std::map<std::string, std::string>& before,
+                            const std::map<std::string, std::string>& now);
+
 /// A hash over `decisiveValues`: two scenes with one fingerprint, run from the start, have the same states at
 /// the same times.
 std::string sceneFingerprint(const Scene& scene);

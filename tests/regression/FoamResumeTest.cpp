@@ -64,8 +64,11 @@ TEST_P(FoamResume, otherSettingsNeedNoFormerCase) {
   ASSERT_EQ(after["flow"]["solvesDone"], solved + 1);
   int said = 0;
   for (const std::string remark : after["remarks"])
-    said += remark.ends_with("computed with other settings than before, foam.snapIterations");
+    said += remark.ends_with("solved with other settings than before: foam.snapIterations = 2 (before: 5)");
   EXPECT_EQ(said, 1) << after["remarks"];
+  if (GetParam() == std::string("onDemand")) {
+    EXPECT_EQ(after["flow"]["remeshedBecause"]["there was no former mesh"], 2);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(remesh, FoamResume, ::testing::Values("always", "onDemand"),

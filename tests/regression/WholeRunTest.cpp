@@ -100,6 +100,17 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   EXPECT_TRUE(exists("out/checkpoint"));
 }
 
+TEST_F(WholeRun, RecordsEveryStepWhereTheIntervalIsShorter) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"4 d\"", "\"6 h\""));
+  for (const char* interval : {"1.3 h", "1e-310 d"}) {
+    SCOPED_TRACE(interval);
+    ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", std::string("output.interval=") + interval}),
+                       0);
+    const std::string series = readText(folder / "out/timeSeries.csv");
+    EXPECT_EQ(std::ranges::count(series, '\n'), 1 + 4) << "heading; 0, 2, 4 and 6 h";
+  }
+}
+
 TEST_F(WholeRun, TheSceneAsResolvedRunsTheSame) {
   const std::string tiny = scene("tiny", with(tinyScene, "\"4 d\"", "\"1 d\""));
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out"}), 0);

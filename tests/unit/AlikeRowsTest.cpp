@@ -40,12 +40,12 @@ TEST(AlikeRows, OrdersByDaughtersThenByLengthThenByPlace) {
   const auto [shortest, longest] = std::minmax_element(keys.begin(), keys.end());
   ASSERT_FALSE(std::get<bool>(*shortest));
   ASSERT_TRUE(std::get<bool>(*longest));
-  ASSERT_LT(pairs.length(piece[std::get<std::size_t>(*longest)]), 64U);
+  ASSERT_LT(pairs.length(piece[std::get<std::size_t>(*longest)]), 63U);
   std::ranges::sort(keys);
   for (std::size_t n = 0; n < keys.size(); ++n) EXPECT_EQ(order[n], std::get<std::size_t>(keys[n]));
 }
 
-TEST(AlikeRows, LeavesRowsOfSixtyFourAndMoreAsTheyStand) {
+TEST(AlikeRows, LeavesRowsBeyondSixtyTwoAsTheyStand) {
   AgentStore agents;
   for (int k = 0; k < 100; ++k) agents.append(AgentKind::smc, Vec3::Zero(), r);
   agents.append(AgentKind::smc, Vec3(10 * r, 0, 0), r);

@@ -8,6 +8,8 @@
 #include "ContactLaws.h"
 #include "ForceField.h"
 #include "HertzContact.h"
+#include "HertzNeoHookeanContact.h"
+#include "PairForces.h"
 #include "RandomStream.h"
 
 namespace restenosis {
@@ -117,6 +119,32 @@ TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
         ASSERT_EQ(loads[i].firmness, expected[mixed][i].firmness);
       }
     }
+  }
+}
+
+TEST(ForceField, GivesTheSameBitsForEightAndForSixteenLanes) {
+  const MechanicsParameters parameters = ofLaw("hertzNeoHookean");
+  const ForceField field(parameters);
+  Heap heap(500);
+  heap.agents.setPosition(7, heap.agents.position(8));  // coinciding centres
+  for (Index i = 0; i < heap.agents.size(); i += 9) heap.agents.set(i, AgentFlag::daughter, true);
+  NeighbourList list;
+  list.build(heap.agents, field.range(0.4 * r));
+  PairTable pairs;
+  pairs.build(list, heap.bonds, heap.agents.flags, true);
+  const FixedScale scale(r);
+  const auto fixed = packSpheres(heap.agents, pairs.nobody(), scale);
+  std::vector<Index> all(heap.agents.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  std::vector<AgentLoad> eight(all.size()), sixteen(all.size());
+  const ForceInput in{pairs, parameters};
+  evaluatePairs<HertzNeoHookeanContact>(in, FixedSpheresOf<8>(fixed, scale.unit()), all, eight);
+  evaluatePairs<HertzNeoHookeanContact>(in, FixedSpheresOf<16>(fixed, scale.unit()), all, sixteen);
+  for (const Index i : all) {
+    ASSERT_EQ(eight[i].force(), sixteen[i].force());
+    ASSERT_EQ(eight[i].pressure, sixteen[i].pressure);
+    ASSERT_EQ(eight[i].stiffness, sixteen[i].stiffness);
+    ASSERT_EQ(eight[i].firmness, sixteen[i].firmness);
   }
 }
 

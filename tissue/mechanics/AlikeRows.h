@@ -35,7 +35,7 @@ class AlikeRows {
   std::size_t operator[](std::size_t n) const { return order_[n]; }
 
  private:
-  static constexpr std::uint32_t lengths = 64;  // rows this long or longer are alike
+  static constexpr std::uint32_t lengths = 64;  // that are told apart; the last stands for all beyond it
   std::array<std::uint8_t, most> order_;
 };
 

@@ -9,11 +9,12 @@
 
 namespace restenosis {
 
-/// So many numbers in single precision as a register of the processor holds.
+/// Numbers in single precision that are computed at once: as many as a register holds with AVX-512, else
+/// eight, in as many registers as they need.
 #ifdef __AVX512F__
-inline constexpr int floatsInRegister = 16;
+inline constexpr int floatLanes = 16;
 #else
-inline constexpr int floatsInRegister = 8;
+inline constexpr int floatLanes = 8;
 #endif
 
 /// n numbers on which arithmetic, sqrt(), min() and max() work element by element, in as many vector

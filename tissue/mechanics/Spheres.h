@@ -73,18 +73,19 @@ class ExactSpheres {
   std::span<const Sphere> spheres_;
 };
 
-/// Eight or sixteen agents at a time in mixed precision.
-class FixedSpheres {
+/// `width` agents at a time, eight or sixteen, in mixed precision. The width changes no bit of what is
+/// computed for an agent.
+template <int width>
+class FixedSpheresOf {
  public:
-  static constexpr int lanes = floatsInRegister;
+  static constexpr int lanes = width;
   using Values = Numbers<float, lanes>;
-  // The compiler's vectors.
-  using Words = std::uint32_t __attribute__((vector_size(4 * lanes)));
+  using Words [[gnu::vector_size(4 * lanes)]] = std::uint32_t;
   struct Places {
     Words x, y, z;
     Values r;
   };
-  FixedSpheres(std::span<const FixedSphere> spheres, double unit)
+  FixedSpheresOf(std::span<const FixedSphere> spheres, double unit)
       : spheres_(spheres), unit_(static_cast<float>(unit)) {}
 
   Places at(const Index* agents) const;
@@ -102,13 +103,17 @@ class FixedSpheres {
   float unit_;
 };
 
+using FixedSpheres =
+    FixedSpheresOf<floatLanes>;  // its functions are `inline`, or GCC leaves calls in the loop
+
 /// The agents as ExactSpheres wants them, and nobody, of radius noAgentRadius, from there to the index
 /// `nobody` of a PairTable.
 std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody);
 /// The agents as FixedSpheres wants them, and nobody likewise.
 std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale);
 
-inline std::array<FixedSpheres::EightWords, 4> FixedSpheres::eight(const Index* agents) const {
+template <int width>
+inline auto FixedSpheresOf<width>::eight(const Index* agents) const -> std::array<EightWords, 4> {
   using Half = std::uint32_t __attribute__((vector_size(16)));
   static_assert(sizeof(Half) == sizeof(FixedSphere));
   const auto half = [&](int k) {
@@ -131,18 +136,20 @@ inline std::array<FixedSpheres::EightWords, 4> FixedSpheres::eight(const Index* 
           __builtin_shufflevector(zrab, zrcd, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
-inline FixedSpheres::Places FixedSpheres::at(const Index* agents) const {
+template <int width>
+inline auto FixedSpheresOf<width>::at(const Index* agents) const -> Places {
   std::array<std::array<EightWords, lanes / 8>, 4> columns;
   for (int part = 0; part < lanes / 8; ++part) {
     const auto ofEight = eight(agents + 8 * part);
     for (int c = 0; c < 4; ++c) columns[c][part] = ofEight[c];
   }
   return {joined(columns[0]), joined(columns[1]), joined(columns[2]),
-          Values((Values::Vector)joined(columns[3]))};
+          Values((typename Values::Vector)joined(columns[3]))};
 }
 
-inline FixedSpheres::Values FixedSpheres::metres(Words difference) const {
-  return Values(__builtin_convertvector((Values::Mask)difference, Values::Vector)) * unit_;
+template <int width>
+inline auto FixedSpheresOf<width>::metres(Words difference) const -> Values {
+  return Values(__builtin_convertvector((typename Values::Mask)difference, typename Values::Vector)) * unit_;
 }
 
 }  // namespace restenosis

@@ -4,35 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <utility>
 
-#include "NameList.h"
 #include "SceneFingerprint.h"
 #include "SecondsPerDay.h"
 #include "StressReaders.h"
 #include "SurfaceCheck.h"
 
 namespace restenosis {
-namespace {
 
-/// The keys whose values differ.
-std::string differences(const std::map<std::string, std::string>& before,
-                        const std::map<std::string, std::string>& now) {
-  std::vector<std::string_view> keys;
-  for (const auto& [key, value] : now) {
-    const auto former = before.find(key);
-    if (former == before.end() || former->second != value) keys.push_back(key);
-  }
-  return commaSeparated(keys);
-}
-
-}  // namespace
+FlowPart::FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
+    : world_(world), backend_(std::move(backend)), settings_(flowSettings(world.scene)) {}
 
 Verdict FlowPart::inputsChanged(const Instant&) const {
-  if (world_.flow.solves == 0) return Verdict::run();
+  if (world_.flow.solves == 0 || settings_ != world_.flow.settings) return Verdict::run();
   if (world_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
   const auto moved = displacement(world_.lumen.atLastFlow, world_.lumen.present);
   if (moved.robust > world_.scene.coupling.lumenTolerance) return Verdict::run();
@@ -64,18 +49,17 @@ void FlowPart::run(const Instant& now) {
   }
   auto measurement = world_.timer.measure("flow");
   const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
-  const auto settings = flowSettings(world_.scene);
-  if (world_.flow.solves > 0) {
-    // What other settings have left is neither the mesh nor the flow that these would
-    if (settings == world_.flow.settings)
-      backend_->startFrom(world_.folder.flowCase(world_.flow.time));
-    else
-      remark(now, fmt::format("computed with other settings than before, {}",
-                              differences(world_.flow.settings, settings)));
-  }
+  const bool asBefore = settings_ == world_.flow.settings;
+  // What other settings have left is neither the mesh nor the flow that these would
+  if (world_.flow.solves > 0 && asBefore) backend_->startFrom(world_.folder.flowCase(world_.flow.time));
   world_.flow.last = backend_->solve(lumen, conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
-  world_.flow.settings = settings;
+  if (world_.flow.solves > 0 && !asBefore) {
+    remark(now, fmt::format("solved with other settings than before: {}",
+                            settingsInPlace(world_.flow.settings, settings_)));
+    world_.flow.mixed = true;
+  }
+  world_.flow.settings = settings_;
   for (const auto& text : world_.flow.last->remarks) remark(now, text);
   world_.flow.time = now.time;
   ++world_.flow.solves;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -12,11 +13,11 @@ namespace restenosis {
 
 /// Solves blood flow in the present lumen (model 8). It is due when 1 % of the lumen has moved by more than
 /// the tolerance, or when it has moved that far at more than a share of the cells that a change of their
-/// stress may send to rest or wake (undecidedCells): these are few, and stand where the tissue grows.
+/// stress may send to rest or wake (undecidedCells): these are few, and stand where the tissue grows. And
+/// when the last solve was made with other settings, by a run that was then resumed.
 class FlowPart : public Part {
  public:
-  FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
-      : world_(world), backend_(std::move(backend)) {}
+  FlowPart(World& world, std::unique_ptr<FlowBackend> backend);
   std::string_view name() const override { return "flow"; }
   std::vector<Quantity> reads() const override { return {Quantity::lumen}; }
   std::vector<Quantity> writes() const override { return {Quantity::wallTraction}; }
@@ -33,6 +34,7 @@ class FlowPart : public Part {
 
   World& world_;
   std::unique_ptr<FlowBackend> backend_;
+  std::map<std::string, std::string> settings_;  ///< flowSettings of the scene
 };
 
 }  // namespace restenosis

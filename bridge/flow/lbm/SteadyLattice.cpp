@@ -89,12 +89,13 @@ std::int64_t SteadyLattice::checkInterval() const {
 }
 
 void SteadyLattice::diverged() const {
-  throw LatticeFailed(fmt::format(
-      "the lattice flow diverged after {} steps, with the relaxation time {:.4f} and {:.3g} "
-      "spacings a step at most: "
-      "choose a smaller dx in [lbm] (it is {:.4g} um), {}; on a rough lumen wall = \"bounceBack\" may help",
-      steps_, relaxation_.tau, estimate_.peakVelocity() / units_.velocity(), 1e6 * units_.dx,
-      relaxation_.single ? "or collision = \"trt\"" : "or another latticeVelocity"));
+  throw LatticeFailed(
+      fmt::format("the lattice flow diverged after {} steps, with the relaxation time {:.4f} and {:.3g} "
+                  "spacings a step at most: "
+                  "choose a smaller dx in [lbm] (it is {:.4g} um), {}; where the lumen is rough, wall = "
+                  "\"bounceBack\" bears more",
+                  steps_, relaxation_.tau, estimate_.peakVelocity() / units_.velocity(), 1e6 * units_.dx,
+                  relaxation_.single ? "or collision = \"trt\"" : "or another latticeVelocity"));
 }
 
 void SteadyLattice::solve(double tolerance, const Watch& watch) {
