@@ -84,20 +84,23 @@ void Run::resume() {
                     scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
-  if (const auto settings = flowSettings(scene_);
-      world_.flow.solves > 0 && settings != world_.flow.settings) {
+  if (!lastFlowHasTheseSettings()) {
     world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
-                                        settingsInPlace(world_.flow.settings, settings)));
+                                        settingsInPlace(world_.flow.settings, flowSettings(scene_))));
   }
   // It is of an end that is none any more
   std::filesystem::remove(folder_.summary());
   if (stage_ == Stage::growing) record_->begin();
 }
 
+bool Run::lastFlowHasTheseSettings() const {
+  return world_.flow.solves == 0 || world_.flow.settings == flowSettings(scene_);
+}
+
 void Run::requireFormerCase() {
   noteCaseInCheckpoint();
   const auto& folder = world_.caseInCheckpoint;
-  const bool needed = flowNeedsFormerCase_ && world_.flow.settings == flowSettings(scene_);
+  const bool needed = flowNeedsFormerCase_ && lastFlowHasTheseSettings();
   if (folder.empty() || !needed || std::filesystem::is_directory(folder / "constant/polyMesh")) return;
   throw CheckpointRefused(
       CheckpointRefused::Reason::caseMissing,
@@ -332,7 +335,8 @@ void Run::writeSummary() {
   summary.threads = options_.threads;
   summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
-  summary.sceneFingerprint = world_.flow.mixed ? "" : sceneFingerprint_;
+  // The state is of no one scene once the flow has had other settings on the way
+  if (!world_.flow.mixed && lastFlowHasTheseSettings()) summary.sceneFingerprint = sceneFingerprint_;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;

@@ -61,6 +61,8 @@ class Run {
   Instant instant(std::uint32_t step) const;
   void checkpointWhenDue(bool regular);
   void saveCheckpoint();
+  /// True before the first flow.
+  bool lastFlowHasTheseSettings() const;
   /// Throws CheckpointRefused where the next solve needs the case of the last one and it is gone.
   void requireFormerCase();
   void noteCaseInCheckpoint();

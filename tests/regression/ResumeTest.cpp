@@ -238,7 +238,8 @@ TEST_F(Resume, AFlowInALumenThatStaysIsSolvedAnewWithOtherSettings) {
   ASSERT_EXIT_STATUS(run({"run", tube, "-o", "out", "--resume", "--set", "lbm.dx=25 um"}), 0);
   const auto fine = summary("out");
   EXPECT_EQ(fine["flow"]["solvesDone"], 1 + int{coarse["flow"]["solvesDone"]});
-  EXPECT_LT(std::abs(double{fine["poiseuille"]["l2Error"]}), std::abs(double{coarse["poiseuille"]["l2Error"]}));
+  EXPECT_LT(std::abs(double{fine["poiseuille"]["l2Error"]}),
+            std::abs(double{coarse["poiseuille"]["l2Error"]}));
 }
 
 TEST_F(Resume, SaysWhenThereIsNothingToResume) {
