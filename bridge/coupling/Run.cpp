@@ -34,10 +34,15 @@ namespace {
 /// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
 constexpr std::chrono::seconds longestUnsaved{30};
 
-bool isMultiple(double time, double interval, double step) {
+// Of a number of intervals: less is rounding, which must not decide whether halfway has been reached.
+constexpr double rounding = 1e-9;
+
+/// Whether a multiple of the interval lies nearer to this step than to any other; halfway counts for the
+/// first.
+bool nextToMultiple(double time, double interval, double step) {
   if (interval <= step) return true;  // and the quotient may be beyond all numbers
-  const double periods = time / interval;
-  return std::abs(periods - std::round(periods)) * interval < 0.5 * step;
+  const auto multiplesUntil = [&](double t) { return std::floor(t / interval + rounding); };
+  return multiplesUntil(time + step / 2) > multiplesUntil(time - step / 2);
 }
 
 }  // namespace
@@ -84,6 +89,7 @@ void Run::resume() {
                     scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
+  folder_.removeFlowCasesAfter(world_.flow.solves > 0 ? world_.flow.time : -1);
   if (!lastFlowHasTheseSettings()) {
     world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
                                         settingsInPlace(world_.flow.settings, flowSettings(scene_))));
@@ -244,8 +250,8 @@ Instant Run::instant(std::uint32_t step) const {
   now.step = step;
   now.time = step * scene_.scene.step;
   now.last = step == stepCount(scene_.scene);
-  now.endsDay = isMultiple(now.time, secondsPerDay, scene_.scene.step);
-  now.recorded = now.last || step == 0 || isMultiple(now.time, scene_.output.interval, scene_.scene.step);
+  now.endsDay = nextToMultiple(now.time, secondsPerDay, scene_.scene.step);
+  now.recorded = now.last || step == 0 || nextToMultiple(now.time, scene_.output.interval, scene_.scene.step);
   return now;
 }
 
@@ -253,7 +259,8 @@ void Run::grow() {
   for (;; ++nextStep_) {
     const Instant now = instant(nextStep_);
     stopIfAsked();
-    checkpointWhenDue(now.last || isMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
+    checkpointWhenDue(now.last ||
+                      nextToMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
     schedule_->advance(now);
     reportProgress(now);
     if (now.last) break;

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -149,6 +152,20 @@ fs::path ResultsFolder::flowCase(double time) const {
   day.erase(day.find_last_not_of('0') + 1);
   if (day.back() == '.') day.pop_back();
   return folder_ / "flow" / day;
+}
+
+void ResultsFolder::removeFlowCasesAfter(double time) const {
+  if (!fs::is_directory(folder_ / "flow")) return;
+  std::vector<fs::path> later;
+  for (const auto& entry : fs::directory_iterator(folder_ / "flow")) {
+    const std::string name = entry.path().filename();
+    double day = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), day);
+    const bool isDay = error == std::errc() && end == name.data() + name.size();
+    if (isDay && day > time / secondsPerDay && name != flowCase(time).filename())
+      later.push_back(entry.path());
+  }
+  for (const fs::path& folder : later) fs::remove_all(folder);
 }
 
 }  // namespace restenosis

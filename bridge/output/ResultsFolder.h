@@ -48,6 +48,8 @@ class ResultsFolder {
   /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals
   /// as it needs, five at most ("flow/3", "flow/3.125"): steps of a second have folders of their own.
   std::filesystem::path flowCase(double time) const;
+  /// Removes the cases of later solves than the one at `time` [s]; below 0, of all.
+  void removeFlowCasesAfter(double time) const;
 
  private:
   ResultsFolder(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}

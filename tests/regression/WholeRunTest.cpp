@@ -3,7 +3,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <cmath>
 #include <regex>
+#include <sstream>
 
 #include "WholeProgram.h"
 
@@ -109,6 +111,17 @@ TEST_F(WholeRun, RecordsEveryStepWhereTheIntervalIsShorter) {
     const std::string series = readText(folder / "out/timeSeries.csv");
     EXPECT_EQ(std::ranges::count(series, '\n'), 1 + 4) << "heading; 0, 2, 4 and 6 h";
   }
+}
+
+TEST_F(WholeRun, RecordsTheStepNextToEachIntervalAndOfTwoTheFirst) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"4 d\"", "\"24 h\""));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", "output.interval=3 h"}), 0);
+  std::istringstream series(readText(folder / "out/timeSeries.csv"));
+  std::vector<int> hours;
+  std::string line;
+  for (std::getline(series, line); std::getline(series, line);)
+    hours.push_back(static_cast<int>(std::lround(24 * std::stod(line))));
+  EXPECT_EQ(hours, (std::vector<int>{0, 2, 6, 8, 12, 14, 18, 20, 24}));
 }
 
 TEST_F(WholeRun, TheSceneAsResolvedRunsTheSame) {

@@ -30,6 +30,23 @@ TEST(ResultsFolder, IsCreatedWithThoseAboveIt) {
   EXPECT_NE(results.flowCase(1000 * 86400), results.flowCase(1000 * 86400 + 60));
 }
 
+TEST(ResultsFolder, RemovesTheCasesOfLaterSolves) {
+  TemporaryFolder folder;
+  const auto results = ResultsFolder::fresh(folder / "results");
+  results.removeFlowCasesAfter(0);
+  const double last = 3.125 * 86400 + 0.1;  // not a number of days with five decimals
+  const std::vector<double> times{0, 3 * 86400, last, last + 60, 20 * 86400};
+  for (const double time : times) fs::create_directories(results.flowCase(time) / "system");
+  fs::create_directory(folder / "results/flow/9 my own");
+  const auto left = [&] { return std::distance(fs::directory_iterator(folder / "results/flow"), {}); };
+  results.removeFlowCasesAfter(last);
+  EXPECT_EQ(left(), 4);
+  for (const double time : times) EXPECT_EQ(fs::exists(results.flowCase(time)), time <= last) << time;
+  results.removeFlowCasesAfter(-1);
+  EXPECT_EQ(left(), 1);
+  EXPECT_TRUE(fs::exists(folder / "results/flow/9 my own"));
+}
+
 TEST(ResultsFolder, RefusesAFolderWithForeignFiles) {
   TemporaryFolder folder;
   writeText(folder / "thesis.tex", "years of work");
