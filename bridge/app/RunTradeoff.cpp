@@ -109,7 +109,7 @@ std::optional<std::vector<std::vector<Scene>>> sweptScenes(const SceneArguments&
     auto& scenes = all.emplace_back();
     for (const std::string& value : setting.values) {
       SceneArguments varied = arguments;
-      varied.overrides.push_back(fmt::format("{}={}", setting.key, value));
+      varied.others.emplace_back(fmt::format("{}={}", setting.key, value), "--vary " + setting.key);
       auto scene = varied.read();
       if (!scene) return std::nullopt;
       // Only the end is looked at, and what is recorded changes no state

@@ -24,8 +24,9 @@ void SceneArguments::addFlowTo(CLI::App& command) {
 std::optional<Scene> SceneArguments::read() const {
   try {
     const Units units;
-    std::vector<std::string> all = overrides;
-    if (!flow.empty()) all.push_back("flow.backend=" + flow);
+    std::vector<SceneOverride> all(overrides.begin(), overrides.end());
+    all.insert(all.end(), others.begin(), others.end());
+    if (!flow.empty()) all.emplace_back("flow.backend=" + flow, "--flow");
     return SceneReader(units).readFile(file, all);
   } catch (const SceneError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) std::cerr << toString(diagnostic) << '\n';

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "Scene.h"
+#include "SceneOverride.h"
 
 namespace restenosis {
 
 /// The command line's way to name a scene: the file, and `--set` for single values.
 struct SceneArguments {
   std::string file;
-  std::vector<std::string> overrides;
-  std::string flow;  ///< backend instead of the scene's; empty: the scene's
+  std::vector<std::string> overrides;  ///< of `--set`
+  std::vector<SceneOverride> others;   ///< applied after these
+  std::string flow;                    ///< backend instead of the scene's; empty: the scene's
 
   void addTo(CLI::App& command);
   /// `--flow` too, the short way to another backend.

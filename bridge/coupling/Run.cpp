@@ -89,7 +89,7 @@ void Run::resume() {
                     scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
-  folder_.removeFlowCasesAfter(world_.flow.solves > 0 ? world_.flow.time : -1);
+  folder_.removeFlowCasesAfter(world_.flow.solves > 0 ? std::optional(world_.flow.time) : std::nullopt);
   if (!lastFlowHasTheseSettings()) {
     world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
                                         settingsInPlace(world_.flow.settings, flowSettings(scene_))));

@@ -154,18 +154,31 @@ fs::path ResultsFolder::flowCase(double time) const {
   return folder_ / "flow" / day;
 }
 
-void ResultsFolder::removeFlowCasesAfter(double time) const {
+template <class Unwanted>
+void ResultsFolder::removeFlowCases(Unwanted&& unwanted) const {
   if (!fs::is_directory(folder_ / "flow")) return;
-  std::vector<fs::path> later;
+  std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(folder_ / "flow")) {
-    const std::string name = entry.path().filename();
+    const fs::path& path = entry.path();
+    // A killed run may leave what copyFoamTemplate was filling
+    const std::string name = path.extension() == ".partial" ? path.stem() : path.filename();
     double day = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), day);
     const bool isDay = error == std::errc() && end == name.data() + name.size();
-    if (isDay && day > time / secondsPerDay && name != flowCase(time).filename())
-      later.push_back(entry.path());
+    if (isDay && unwanted(path, day)) found.push_back(path);
   }
-  for (const fs::path& folder : later) fs::remove_all(folder);
+  for (const fs::path& folder : found) fs::remove_all(folder);
+}
+
+void ResultsFolder::removeFlowCasesAfter(std::optional<double> time) const {
+  removeFlowCases([&](const fs::path& folder, double day) {
+    return !time || (day > *time / secondsPerDay && folder != flowCase(*time));
+  });
+}
+
+void ResultsFolder::removeFlowCasesBut(std::span<const fs::path> wanted) const {
+  removeFlowCases(
+      [&](const fs::path& folder, double) { return std::ranges::find(wanted, folder) == wanted.end(); });
 }
 
 }  // namespace restenosis

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,12 +50,18 @@ class ResultsFolder {
   /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals
   /// as it needs, five at most ("flow/3", "flow/3.125"): steps of a second have folders of their own.
   std::filesystem::path flowCase(double time) const;
-  /// Removes the cases of later solves than the one at `time` [s]; below 0, of all.
-  void removeFlowCasesAfter(double time) const;
+  /// Removes the cases of later solves than the one at `time` [s], or of all. What in flow/ is not named
+  /// after a day is the user's and stays.
+  void removeFlowCasesAfter(std::optional<double> time) const;
+  /// Likewise removes all cases but these.
+  void removeFlowCasesBut(std::span<const std::filesystem::path> wanted) const;
 
  private:
   ResultsFolder(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}
   static int acquireLock(const std::filesystem::path& folder);
+  /// Removes the cases that unwanted(case, day) is true of.
+  template <class Unwanted>
+  void removeFlowCases(Unwanted&& unwanted) const;
 
   std::filesystem::path folder_;
   int lock_;

@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-/// Where a scene says something: a line of a file, or an override of the command line ("--set
-/// vessel.length"), which has no line.
+/// Where a scene says something: a line of a file, or an option of the command line ("--set
+/// vessel.length", "--flow"), which has no line.
 struct ScenePlace {
   std::string file;
   int line = 0;    ///< from 1; 0: the file as a whole, or not a file

@@ -137,18 +137,20 @@ SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
   }
 }
 
-void SceneDocument::apply(std::string_view override, std::vector<Diagnostic>& diagnostics) {
-  const auto equals = override.find('=');
-  const std::string_view name = trimmed(override.substr(0, equals));
-  const ScenePlace place{fmt::format("--set {}", name), 0, 0};
+void SceneDocument::apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics) {
+  const std::string_view text = override.text;
+  const auto equals = text.find('=');
+  const std::string_view name = trimmed(text.substr(0, equals));
+  const std::string set = fmt::format("--set {}", name.empty() ? "''" : name);
+  const ScenePlace place{override.place.empty() ? set : override.place, 0, 0};
   const auto complain = [&](std::string message) {
     diagnostics.push_back({place.file, 0, 0, std::move(message)});
   };
   if (equals == std::string_view::npos) {
     return complain("no value; write section.key=value, section=absent or section=present");
   }
-  const std::string_view value = trimmed(override.substr(equals + 1));
-  if (!isUtf8(override)) return complain("is not text in UTF-8 without control characters");
+  const std::string_view value = trimmed(text.substr(equals + 1));
+  if (!isUtf8(text)) return complain("is not text in UTF-8 without control characters");
   const auto dot = name.find('.');
   const std::string section(trimmed(name.substr(0, dot)));
   if (section.empty()) return complain("no section; write section.key=value");

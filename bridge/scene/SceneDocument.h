@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "Diagnostic.h"
+#include "SceneOverride.h"
 
 namespace restenosis {
 
@@ -37,13 +38,13 @@ class SceneDocument {
   /// document.
   SceneDocument(std::string_view toml, const std::string& file, std::vector<Diagnostic>& diagnostics);
 
-  /// Applies one `--set` of the command line over what the file says:
+  /// Applies what the command line says over what the file says:
   ///
   ///   section.key=VALUE   VALUE in TOML, or a word or quantity without quotes (`vessel.length=1.2 mm`);
   ///                       adds the section where the scene has none
   ///   section=present     adds the section with its defaults, if the scene has none
   ///   section=absent      takes the section out of the scene
-  void apply(std::string_view override, std::vector<Diagnostic>& diagnostics);
+  void apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics);
 
   const std::string& file() const { return file_; }
   const std::map<std::string, GivenSection, std::less<>>& sections() const { return sections_; }

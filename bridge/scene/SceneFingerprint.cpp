@@ -10,6 +10,7 @@
 #include "FileContent.h"
 #include "FlowBackendNames.h"
 #include "StateArchive.h"
+#include "Units.h"
 
 namespace restenosis {
 namespace {
@@ -42,6 +43,26 @@ class ValueCollector : public ParameterVisitor {
   std::string_view section_;
   bool fileContents_;
   std::map<std::string, std::string>& values_;
+};
+
+/// The units of a section's quantities, by "section.key".
+class UnitCollector : public ParameterVisitor {
+ public:
+  UnitCollector(std::string_view section, std::map<std::string, std::string>& units)
+      : section_(section), units_(units) {}
+
+  void quantity(double&, const ParameterInfo& info) override {
+    units_[fmt::format("{}.{}", section_, info.key)] = info.unit;
+  }
+  void integer(std::int64_t&, const ParameterInfo&) override {}
+  void boolean(bool&, const ParameterInfo&) override {}
+  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo&) override {}
+  void text(std::string&, const ParameterInfo&) override {}
+  void file(std::string&, const ParameterInfo&) override {}
+
+ private:
+  std::string_view section_;
+  std::map<std::string, std::string>& units_;
 };
 
 std::map<std::string, std::string> collect(Scene scene, bool fileContents) {
@@ -119,12 +140,22 @@ std::map<std::string, std::string> flowSettings(const Scene& scene) {
 
 std::string settingsInPlace(const std::map<std::string, std::string>& before,
                             const std::map<std::string, std::string>& now) {
+  std::map<std::string, std::string> unitOf;
+  Scene().forEachSection([&](auto& section, bool) {
+    UnitCollector collector(section.section, unitOf);
+    section.describe(collector);
+  });
+  const Units units;
+  const auto shown = [&](const std::string& key, const std::string& value) {
+    const auto unit = unitOf.find(key);
+    return unit == unitOf.end() ? value : units.format(std::stod(value), unit->second);
+  };
   std::string list;
   for (const auto& [key, value] : now) {
     const auto former = before.find(key);
     if (former != before.end() && former->second == value) continue;
-    list += fmt::format("{}{} = {} (before: {})", list.empty() ? "" : ", ", key, value,
-                        former == before.end() ? "none" : former->second);
+    list += fmt::format("{}{} = {} (before: {})", list.empty() ? "" : ", ", key, shown(key, value),
+                        former == before.end() ? "none" : shown(key, former->second));
   }
   return list;
 }

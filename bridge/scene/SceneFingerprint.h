@@ -29,7 +29,7 @@ std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b);
 /// "section.key" -> value as above. Empty where there are none.
 std::map<std::string, std::string> flowSettings(const Scene& scene);
 
-/// Where `now` differs from `before`, both flowSettings of one backend: "lbm.dx = 2e-05 (before: 3e-05)".
+/// Where `now` differs from `before`, both flowSettings of one backend: "lbm.dx = 20 um (before: 30 um)".
 std::string settingsInPlace(const std::map<std::string, std::string>& before,
                             const std::map<std::string, std::string>& now);
 

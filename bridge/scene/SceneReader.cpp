@@ -114,7 +114,7 @@ std::string similarFile(const std::filesystem::path& file) {
 }  // namespace
 
 Scene SceneReader::readFile(const std::filesystem::path& file,
-                            const std::vector<std::string>& overrides) const {
+                            const std::vector<SceneOverride>& overrides) const {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) refuse(file, "no such scene file" + similarFile(file));
@@ -129,7 +129,7 @@ Scene SceneReader::readFile(const std::filesystem::path& file,
 }
 
 Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& file,
-                            const std::vector<std::string>& overrides) const {
+                            const std::vector<SceneOverride>& overrides) const {
   SceneFindings findings;
   SceneDocument document(toml, file.string(), findings.diagnostics);
   if (document.broken()) throw SceneError(findings.diagnostics);

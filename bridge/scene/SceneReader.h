@@ -7,6 +7,7 @@
 
 #include "Diagnostic.h"
 #include "Scene.h"
+#include "SceneOverride.h"
 #include "Units.h"
 
 namespace restenosis {
@@ -14,19 +15,18 @@ namespace restenosis {
 /// Reads scenes: TOML, with every quantity in quotes with its unit. A scene is returned only if nothing is
 /// wrong with it; otherwise SceneError carries every finding with its place. Nothing is written.
 ///
-/// `overrides` are the values of the command line's `--set`, applied in order before anything is checked; see
-/// SceneDocument::apply for their forms.
+/// `overrides` are applied in order before anything is checked.
 class SceneReader {
  public:
   explicit SceneReader(const Units& units) : units_(units) {}
 
   /// Throws SceneError, also when the file cannot be read.
-  Scene readFile(const std::filesystem::path& file, const std::vector<std::string>& overrides = {}) const;
+  Scene readFile(const std::filesystem::path& file, const std::vector<SceneOverride>& overrides = {}) const;
 
   /// The same for a text; `file` is what messages name, gives the scene its name, and is where relative paths
   /// start.
   Scene readText(std::string_view toml, const std::filesystem::path& file,
-                 const std::vector<std::string>& overrides = {}) const;
+                 const std::vector<SceneOverride>& overrides = {}) const;
 
  private:
   const Units& units_;

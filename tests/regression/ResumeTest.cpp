@@ -207,7 +207,7 @@ TEST_F(Resume, WithOtherSettingsOfTheFlowSolvesItAnewAndSaysSo) {
 
   const ProcessEnd end = resumed("straight", "25 um", "4 d");
   ASSERT_EXIT_STATUS(end, 0);
-  const std::string change = "lbm.dx = 2.5e-05 (before: 3e-05)";
+  const std::string change = "lbm.dx = 25 um (before: 30 um)";
   EXPECT_NE(end.err.find("the flow goes on with other settings than before: " + change), std::string::npos)
       << end.err;
   const auto after = summary("straight");

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "AtomicFile.h"
 #include "ResultsFolder.h"
@@ -38,11 +40,16 @@ TEST(ResultsFolder, RemovesTheCasesOfLaterSolves) {
   const std::vector<double> times{0, 3 * 86400, last, last + 60, 20 * 86400};
   for (const double time : times) fs::create_directories(results.flowCase(time) / "system");
   fs::create_directory(folder / "results/flow/9 my own");
+  fs::create_directory(folder / "results/flow/21.partial");
   const auto left = [&] { return std::distance(fs::directory_iterator(folder / "results/flow"), {}); };
   results.removeFlowCasesAfter(last);
-  EXPECT_EQ(left(), 4);
+  EXPECT_EQ(left(), 4) << "three cases and the user's folder";
   for (const double time : times) EXPECT_EQ(fs::exists(results.flowCase(time)), time <= last) << time;
-  results.removeFlowCasesAfter(-1);
+  results.removeFlowCasesBut(std::array{results.flowCase(0), results.flowCase(last), fs::path()});
+  EXPECT_EQ(left(), 3);
+  for (const double time : times)
+    EXPECT_EQ(fs::exists(results.flowCase(time)), time == 0 || time == last) << time;
+  results.removeFlowCasesAfter(std::nullopt);
   EXPECT_EQ(left(), 1);
   EXPECT_TRUE(fs::exists(folder / "results/flow/9 my own"));
 }

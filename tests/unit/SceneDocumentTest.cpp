@@ -9,20 +9,20 @@ class SceneDocumentTest : public ::testing::Test {
  protected:
   SceneDocument document(std::string_view toml) { return {toml, "x.toml", diagnostics}; }
   /// The document after overrides that nothing is wrong with.
-  SceneDocument overridden(std::string_view toml, const std::vector<std::string_view>& overrides) {
+  SceneDocument overridden(std::string_view toml, const std::vector<SceneOverride>& overrides) {
     SceneDocument result = document(toml);
-    for (const auto override : overrides) result.apply(override, diagnostics);
+    for (const auto& override : overrides) result.apply(override, diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << toString(diagnostics[0]);
     return result;
   }
   /// What is said of an override, and that it changes nothing.
-  std::string complaint(std::string_view override) {
+  std::string complaint(const SceneOverride& override) {
     SceneDocument result = document("[a]\n");
     result.apply(override, diagnostics);
-    EXPECT_EQ(diagnostics.size(), 1u) << override;
-    EXPECT_EQ(result.sections().size(), 1u) << override;
-    EXPECT_TRUE(result.find("a") && result.find("a")->values.empty()) << override;
-    EXPECT_TRUE(result.removed().empty()) << override;
+    EXPECT_EQ(diagnostics.size(), 1u) << override.text;
+    EXPECT_EQ(result.sections().size(), 1u) << override.text;
+    EXPECT_TRUE(result.find("a") && result.find("a")->values.empty()) << override.text;
+    EXPECT_TRUE(result.removed().empty()) << override.text;
     const std::string text = diagnostics.empty() ? "" : toString(diagnostics[0]);
     diagnostics.clear();
     return text;
@@ -123,6 +123,7 @@ TEST_F(SceneDocumentTest, SectionsComeAndGo) {
 
 TEST_F(SceneDocumentTest, OverridesThatSayNothingAreRefused) {
   EXPECT_NE(complaint("a.b").find("--set a.b: no value; write section.key=value"), std::string::npos);
+  EXPECT_NE(complaint("").find("--set '': no value"), std::string::npos);
   EXPECT_NE(complaint("=3").find("no section"), std::string::npos);
   EXPECT_NE(complaint(".b=3").find("no section"), std::string::npos);
   EXPECT_NE(complaint("a. =3").find("no key"), std::string::npos);

@@ -25,7 +25,7 @@ lumenDiameter = "1.8 mm"
 class SceneReaderTest : public ::testing::Test {
  protected:
   std::vector<Diagnostic> findings(const std::string& toml,
-                                   const std::vector<std::string>& overrides = {}) const {
+                                   const std::vector<SceneOverride>& overrides = {}) const {
     try {
       SceneReader(units).readText(toml, "scenes/x.toml", overrides);
     } catch (const SceneError& error) {
@@ -35,7 +35,7 @@ class SceneReaderTest : public ::testing::Test {
   }
   /// Expects exactly one finding, on this line, whose message contains every part.
   void expectOne(const std::string& toml, int line, const std::vector<std::string>& parts,
-                 const std::vector<std::string>& overrides = {}) const {
+                 const std::vector<SceneOverride>& overrides = {}) const {
     const auto found = findings(toml, overrides);
     ASSERT_EQ(found.size(), 1u) << toml << (found.empty() ? "" : SceneError(found).what());
     EXPECT_EQ(found[0].line, line) << toString(found[0]);
@@ -169,7 +169,7 @@ TEST_F(SceneReaderTest, RefusesFilesThatAreNone) {
   EXPECT_EQ(scene.stent->file, (folder / "there.csv").lexically_normal().string());
 
   const auto errorOf = [&reader](const std::filesystem::path& file,
-                                 const std::vector<std::string>& overrides = {}) {
+                                 const std::vector<SceneOverride>& overrides = {}) {
     try {
       reader.readFile(file, overrides);
       return std::string("accepted");
@@ -219,6 +219,11 @@ TEST_F(SceneReaderTest, BlamesOverridesByName) {
   expectOne(start, 1, {"section [vessel] is missing"}, {"vessel=absent"});
   expectOne(start, 0, {"--set contactInhibiton: unknown section [contactInhibiton]; did you mean"},
             {"contactInhibiton=absent"});
+}
+
+TEST_F(SceneReaderTest, BlamesTheOptionThatWasTyped) {
+  expectOne(start, 0, {"--flow: 'backend' in [flow] cannot be \"foo\"", "Allowed: foam"},
+            {{"flow.backend=foo", "--flow"}});
 }
 
 }  // namespace

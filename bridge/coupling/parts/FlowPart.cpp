@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,20 +69,12 @@ void FlowPart::run(const Instant& now) {
     ++world_.flow.remeshedBecause[reason];
   world_.lumen.atLastFlow = world_.lumen.present;
   world_.changes.touch(Quantity::wallTraction);
-  if (world_.scene.output.keepFlowCases == "last") removeFormerCases(folder);
+  if (world_.scene.output.keepFlowCases == "last" && std::filesystem::exists(folder))
+    world_.folder.removeFlowCasesBut(std::array{folder, world_.caseInCheckpoint});
 }
 
 void FlowPart::remark(const Instant& now, const std::string& text) {
   world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / secondsPerDay, text));
-}
-
-void FlowPart::removeFormerCases(const std::filesystem::path& present) const {
-  namespace fs = std::filesystem;
-  if (!fs::exists(present)) return;
-  for (const auto& entry : fs::directory_iterator(present.parent_path())) {
-    if (entry.path() != present && entry.path() != world_.caseInCheckpoint && entry.is_directory())
-      fs::remove_all(entry.path());
-  }
 }
 
 }  // namespace restenosis

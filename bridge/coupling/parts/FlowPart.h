@@ -29,8 +29,6 @@ class FlowPart : public Part {
   /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
   double undecidedShareMoved() const;
   void remark(const Instant& now, const std::string& text);
-  /// All but the present one and that which a resumed run would start from.
-  void removeFormerCases(const std::filesystem::path& present) const;
 
   World& world_;
   std::unique_ptr<FlowBackend> backend_;
