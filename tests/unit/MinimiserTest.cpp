@@ -9,25 +9,22 @@ namespace {
 
 /// One agent on a spring of unequal stiffness across and along the axis.
 struct Spring {
-  std::vector<Index> active{0};
-  std::vector<AgentMotion> motion{{.stiffness = 2.0}};
-  std::vector<double> radius{1.0};
+  std::vector<AgentMotion> motion{{.now = {.stiffness = 2.0}, .radius = 1.0}};
   Vec3 position{0.3, -0.1, 0.2};
 
   Vec3 step(Minimiser& minimiser) {
-    const MinimiserView view{active, motion, radius};
     StepTotals totals;
-    minimiser.total(view, 0, 1, totals);
+    minimiser.total(motion, totals);
     minimiser.begin(totals);
     std::vector<Vec3> move(1);
-    minimiser.step(view, 0, 1, move);
+    minimiser.step(motion, move);
     return move[0];
   }
 
   double relax(Minimiser& minimiser, int steps) {
     double longest = 0;
     for (int k = 0; k < steps; ++k) {
-      motion[0].force = -Vec3(2.0, 2.0, 0.5).cwiseProduct(position);
+      motion[0].now.force = -Vec3(2.0, 2.0, 0.5).cwiseProduct(position);
       const Vec3 move = step(minimiser);
       position += move;
       longest = std::max(longest, move.norm());
@@ -55,7 +52,7 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;
-    spring.motion[0].force = {0.01, 0, 0.01};
+    spring.motion[0].now.force = {0.01, 0, 0.01};
     const Vec3 move = spring.step(*makeMinimiser(minimisedBy(name)));
     EXPECT_NEAR(move.z() / move.x(), 2, 1e-12) << name;
   }
@@ -70,24 +67,21 @@ TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
 TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
   // One agent on a spring among a thousand that a constant force drives. Nothing may excite it: it comes to
   // rest as it would alone.
-  std::vector<Index> active(1000);
-  std::iota(active.begin(), active.end(), Index{0});
-  const std::vector<double> radius(1000, 1e3);
   MechanicsParameters p = minimisedBy("fire");
   p.axialForceFactor = 1;
   for (const double eigenvalue : {0.5, 1.0, 1.5}) {
-    std::vector<AgentMotion> motion(1000, {.force = {1e-6, 0, 0}, .stiffness = 1, .velocity = {1e-4, 0, 0}});
+    std::vector<AgentMotion> motion(
+        1000, {.velocity = {1e-4, 0, 0}, .now = {.force = {1e-6, 0, 0}, .stiffness = 1}, .radius = 1e3});
     motion[0].velocity.setZero();
-    const MinimiserView view{active, motion, radius};
     const auto fire = makeMinimiser(p);
     double displacement = 1e-9, farthest = 0;
-    std::vector<Vec3> moves(active.size());
+    std::vector<Vec3> moves(motion.size());
     for (int k = 0; k < 200; ++k) {
-      motion[0].force.x() = -eigenvalue * motion[0].stiffness * displacement;
+      motion[0].now.force.x() = -eigenvalue * motion[0].now.stiffness * displacement;
       StepTotals totals;
-      fire->total(view, 0, active.size(), totals);
+      fire->total(motion, totals);
       fire->begin(totals);
-      fire->step(view, 0, active.size(), moves);
+      fire->step(motion, moves);
       displacement += moves[0].x();
       farthest = std::max(farthest, std::abs(displacement));
     }
@@ -98,29 +92,28 @@ TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
 }
 
 TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
-  const std::vector<Index> active{0, 2, 3};
-  const std::vector<double> radius(4, 1.0);
-  std::vector<AgentMotion> start(4, {.stiffness = 3.0});
-  start[0].force = {0.02, 0, 0}, start[0].velocity = {0.01, 0, 0};
-  start[2].force = {0, 0.01, 0.01}, start[2].velocity = {0, 0.02, -0.01};
-  start[3].force = {-0.01, 0, 0}, start[3].velocity = {0.004, 0, 0};
-  start[3].stiffness = 7;
+  std::vector<AgentMotion> start(3, {.now = {.stiffness = 3.0}, .radius = 1.0});
+  start[0].now.force = {0.02, 0, 0}, start[0].velocity = {0.01, 0, 0};
+  start[1].now.force = {0, 0.01, 0.01}, start[1].velocity = {0, 0.02, -0.01};
+  start[2].now.force = {-0.01, 0, 0}, start[2].velocity = {0.004, 0, 0};
+  start[2].now.stiffness = 7;
   for (const auto name : minimiserNames()) {
     const auto moved = [&](std::size_t piece) {
       std::vector<AgentMotion> motion = start;
-      const MinimiserView view{active, motion, radius};
+      const auto pieceAt = [&](std::size_t begin) {
+        return std::span(motion).subspan(begin, std::min(piece, motion.size() - begin));
+      };
       const auto minimiser = makeMinimiser(minimisedBy(name));
       StepTotals totals;
-      for (std::size_t begin = 0; begin < active.size(); begin += piece) {
+      for (std::size_t begin = 0; begin < motion.size(); begin += piece) {
         StepTotals part;
-        minimiser->total(view, begin, std::min(active.size(), begin + piece), part);
+        minimiser->total(pieceAt(begin), part);
         totals.join(part);
       }
       minimiser->begin(totals);
-      std::vector<Vec3> moves(active.size());
-      for (std::size_t begin = 0; begin < active.size(); begin += piece) {
-        minimiser->step(view, begin, std::min(active.size(), begin + piece), std::span(moves).subspan(begin));
-      }
+      std::vector<Vec3> moves(motion.size());
+      for (std::size_t begin = 0; begin < motion.size(); begin += piece)
+        minimiser->step(pieceAt(begin), std::span(moves).subspan(begin));
       return moves;
     };
     const std::vector<Vec3> all = moved(3);

@@ -133,11 +133,11 @@ TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
 
 /// Keeps agents above the plane z = 0.5 r.
 struct Floor : Constraint {
-  void project(const AgentStore&, Index, Vec3& position) const override {
+  void project(AgentKind, double, Vec3& position) const override {
     position.z() = std::max(position.z(), 0.5 * r);
   }
-  void release(const AgentStore& agents, Index i, Vec3& force) const override {
-    if (agents.z[i] <= 0.5 * r && force.z() < 0) force.z() = 0;
+  void release(AgentKind, double, const Vec3& position, Vec3& force) const override {
+    if (position.z() <= 0.5 * r && force.z() < 0) force.z() = 0;
   }
 };
 

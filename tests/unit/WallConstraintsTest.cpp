@@ -16,11 +16,11 @@ class WallConstraints : public testing::Test {
   Index add(AgentKind kind, const Vec3& place) { return agents.append(kind, place, r); }
   Vec3 projected(const Constraint& constraint, Index i) {
     Vec3 position = agents.position(i);
-    constraint.project(agents, i, position);
+    constraint.project(agents.kind[i], agents.radius[i], position);
     return position;
   }
   Vec3 released(const Constraint& constraint, Index i, Vec3 force) {
-    constraint.release(agents, i, force);
+    constraint.release(agents.kind[i], agents.radius[i], agents.position(i), force);
     return force;
   }
   AgentStore agents;

@@ -17,6 +17,7 @@ namespace {
 struct Any {
   bool found = false;
   Index agent = 0;
+  Vec3 force = Vec3::Zero();
   void join(const Any& other) {
     if (!found && other.found) *this = other;
   }
@@ -39,6 +40,9 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
 
 // Of a distance: farther apart no rounding can make a pair act.
 constexpr double beyondRounding = 1 + 1e-6;
+
+// Of what is added to a leash and of what is taken off it: single precision errs by less.
+constexpr double shorter = 1 - 1e-5, longer = 1 + 1e-5;
 
 /// Lets `values` hold `count` elements, the new ones `value`.
 template <class T>
@@ -65,7 +69,7 @@ AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
 
 void AgentForces::start() {
   const std::size_t count = agents_.size();
-  motion_.assign(count, AgentMotion{.stiffness = settings_.softest});
+  residual_.assign(count, 0);
   unsure_.assign(count, 1);
   moving_.clear();
   isMoving_.assign(count, 0);
@@ -85,7 +89,7 @@ void AgentForces::refresh() {
   project();
   const Index known = neighbours_.size();
   const std::size_t count = agents_.size();
-  lengthen(motion_, count, AgentMotion{.stiffness = settings_.softest});
+  lengthen(residual_, count, 0.0);
   lengthen(unsure_, count, std::uint8_t{1});
   lengthen(isMoving_, count, std::uint8_t{0});
 
@@ -179,24 +183,56 @@ void AgentForces::project() {
     const auto i = static_cast<Index>(k);
     if (!isFree(i)) return;
     Vec3 position = agents_.position(i);
-    for (const Constraint* constraint : constraints_) constraint->project(agents_, i, position);
+    for (const Constraint* constraint : constraints_)
+      constraint->project(agents_.kind[i], agents_.radius[i], position);
     agents_.setPosition(i, position);
   });
 }
 
-bool AgentForces::moveTo(Index i, const Vec3& position) {
-  Vec3 place = position;
-  for (const Constraint* constraint : constraints_) constraint->project(agents_, i, place);
-  agents_.setPosition(i, place);
-  if (scale_) {
-    fixed_[i] = scale_->of(place, agents_.radius[i]);
-  } else {
-    spheres_[i] = {place.x(), place.y(), place.z(), agents_.radius[i]};
-  }
-  return neighbours_.movedTooFar(i, place);
+AgentMotion AgentForces::motionOf(Index i) const {
+  const Vec3 position = agents_.position(i);
+  return {.position = position,
+          .now = {},
+          .radius = agents_.radius[i],
+          .leash = leashOf(i, position),
+          .kind = agents_.kind[i],
+          .daughter = agents_.has(i, AgentFlag::daughter)};
 }
 
-void AgentForces::updateLists(std::span<const Index> moved, std::vector<Index>& relisted) {
+float AgentForces::leashOf(Index i, const Vec3& position) const {
+  return static_cast<float>(shorter * neighbours_.room(i, position));
+}
+
+bool AgentForces::moveTo(Index i, AgentMotion& agent, const Vec3& position) {
+  Vec3 place = position;
+  for (const Constraint* constraint : constraints_) constraint->project(agent.kind, agent.radius, place);
+  agent.leash -= static_cast<float>(longer * (place - agent.position).norm());
+  agent.position = place;
+  if (scale_) {
+    fixed_[i] = scale_->of(place, agent.radius);
+  } else {
+    spheres_[i] = {place.x(), place.y(), place.z(), agent.radius};
+  }
+  if (agent.leash >= 0) return false;
+  agent.leash = leashOf(i, place);
+  return !(agent.leash >= 0);
+}
+
+void AgentForces::updateLists(MovingAgents& moving, std::vector<Index>& relisted) {
+  const double comfortable = neighbours_.comfortableRoom();
+  const auto hasRoom = [&](std::size_t k) {
+    float& leash = moving.motion[k].leash;
+    if (leash > comfortable) return true;
+    leash = leashOf(moving.agents[k], moving.motion[k].position);
+    return leash > comfortable;
+  };
+  const std::vector<Index> places = agentsThat(moving.size(), [&](Index k) { return !hasRoom(k); });
+  std::vector<Index> moved;
+  for (const Index k : places) {
+    place(moving.agents[k], moving.motion[k]);
+    moved.push_back(moving.agents[k]);
+  }
+  if (!neighbours_.worthLookingUp(moved.size())) placeAll(moving);  // it is built anew from all
   const NeighbourList::Change change = neighbours_.update(agents_, moved);
   if (change.all) {
     buildPairs();
@@ -220,57 +256,94 @@ void AgentForces::doubt(std::span<const Index> agents) {
   for (const Index i : agents) unsure_[i] = 1;
 }
 
-void AgentForces::evaluate(std::span<const Index> subset, const Look& look) {
+AgentForce AgentForces::forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
+                                const Vec3& position) const {
+  AgentForce on{.force = load.force(), .stiffness = std::max(settings_.softest, load.stiffness)};
+  for (const Constraint* constraint : constraints_) constraint->release(kind, radius, position, on.force);
+  on.restlessness = on.force.norm();
+  if (daughter) {
+    const double held = std::max(settings_.softest, load.firmness);
+    on.restlessness *= std::max(1.0, settings_.firm / held);
+  }
+  return on;
+}
+
+template <class F>
+void AgentForces::withSpheres(F&& f) const {
   if (scale_) {
-    evaluate(FixedSpheres(fixed_, scale_->unit()), subset, look);
+    f(FixedSpheres(fixed_, scale_->unit()));
   } else {
-    evaluate(ExactSpheres(spheres_), subset, look);
+    f(ExactSpheres(spheres_));
   }
 }
 
-std::vector<Index> AgentForces::evaluateExactly(std::span<const Index> moving) {
-  doubtAround(moving_);
-  for (const Index i : moving_) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
-  outgrown_ = outgrown_ || (scale_ && !allFit(moving_));
-  std::vector<Index> due = agentsOf(free_, [this](Index i) { return unsure_[i] != 0; });
-  evaluate(ExactSpheres(spheres_), due, {});
-  std::ranges::fill(unsure_, 0);
-  for (const Index i : moving_) isMoving_[i] = 0;
-  moving_.clear();
-  startMoving(moving);
-  return due;
-}
-
-template <class Spheres>
-void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset, const Look& look) {
+template <class Spheres, class Set, class Seen>
+void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set,
+                           const Seen& look) {
   const auto bad = reducePieces<Any>(subset.size(), [&](std::size_t begin, std::size_t end, Any& part) {
     std::array<AgentLoad, chunkSize> loads;
     field_.evaluate(spheres, pairs_, subset.subspan(begin, end - begin), loads);
     for (std::size_t k = begin; k < end; ++k) {
-      const Index i = subset[k];
-      const AgentLoad& load = loads[k - begin];
-      Vec3 force = load.force();
-      for (const Constraint* constraint : constraints_) constraint->release(agents_, i, force);
-      AgentMotion& motion = motion_[i];
-      motion.force = force;
-      motion.stiffness = std::max(settings_.softest, load.stiffness);
-      motion.restlessness = force.norm();
-      if (agents_.has(i, AgentFlag::daughter)) {
-        const double held = std::max(settings_.softest, load.firmness);
-        motion.restlessness *= std::max(1.0, settings_.firm / held);
-      }
-      agents_.pressure[i] = load.pressure;
-      if (!part.found && !std::isfinite(motion.restlessness)) part = {true, i};
+      const AgentForce& on = set(k, loads[k - begin]);
+      if (!part.found && !std::isfinite(on.restlessness)) part = {true, subset[k], on.force};
     }
-    if (look) look(begin, end);
+    look(begin, end);
   });
   evaluations_ += subset.size();
-  if (bad.found) {
-    const Vec3& f = motion_[bad.agent].force;
-    throw std::runtime_error(fmt::format(
-        "the force on agent {} at ({}, {}, {}) m is not finite: ({}, {}, {}) N", agents_.id[bad.agent],
-        agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.x(), f.y(), f.z()));
-  }
+  if (!bad.found) return;
+  const Vec3& f = bad.force;
+  throw std::runtime_error(fmt::format(
+      "the force on agent {} near ({}, {}, {}) m is not finite: ({}, {}, {}) N", agents_.id[bad.agent],
+      agents_.x[bad.agent], agents_.y[bad.agent], agents_.z[bad.agent], f.x(), f.y(), f.z()));
+}
+
+template <class Spheres>
+void AgentForces::evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take) {
+  const auto set = [&](std::size_t k, const AgentLoad& load) {
+    const Index i = subset[k];
+    const AgentForce on = forceOn(load, agents_.kind[i], agents_.has(i, AgentFlag::daughter),
+                                  agents_.radius[i], agents_.position(i));
+    agents_.pressure[i] = load.pressure;
+    take(k, i, on);
+    return on;
+  };
+  evaluate(spheres, subset, set, [](std::size_t, std::size_t) {});
+}
+
+void AgentForces::evaluate(MovingAgents& moving, const Look& look) {
+  const auto set = [&](std::size_t k, const AgentLoad& load) -> const AgentForce& {
+    AgentMotion& agent = moving.motion[k];
+    return agent.now = forceOn(load, agent.kind, agent.daughter, agent.radius, agent.position);
+  };
+  withSpheres([&](const auto& spheres) { evaluate(spheres, moving.agents, set, look); });
+}
+
+void AgentForces::evaluate(std::span<const Index> resting, const Take& take) {
+  withSpheres([&](const auto& spheres) { evaluateResting(spheres, resting, take); });
+}
+
+void AgentForces::placeAll(const MovingAgents& moving) {
+  forEachInChunks(moving.size(), [&](std::size_t k) { place(moving.agents[k], moving.motion[k]); });
+}
+
+std::vector<Index> AgentForces::unsure(const MovingAgents& moving) {
+  placeAll(moving);
+  doubtAround(moving_);
+  for (const Index i : moving_) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  outgrown_ = outgrown_ || (scale_ && !allFit(moving_));
+  return agentsOf(free_, [this](Index i) { return unsure_[i] != 0; });
+}
+
+void AgentForces::evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving,
+                                  const Take& take) {
+  evaluateResting(ExactSpheres(spheres_), unsure, [&](std::size_t k, Index i, const AgentForce& on) {
+    residual_[i] = on.force.norm();
+    take(k, i, on);
+  });
+  std::ranges::fill(unsure_, 0);
+  for (const Index i : moving_) isMoving_[i] = 0;
+  moving_.clear();
+  startMoving(moving);
 }
 
 }  // namespace restenosis

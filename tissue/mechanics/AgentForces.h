@@ -15,9 +15,16 @@
 
 namespace restenosis {
 
-/// The forces on agents of which few move: what they were when last computed, and whose may have changed
-/// since. Positions are changed through it, so that its copies of them, the neighbour list and the table of
-/// pairs follow.
+/// Agents that move.
+struct MovingAgents {
+  std::vector<Index> agents;  ///< in ascending order
+  std::vector<AgentMotion> motion;
+  std::size_t size() const { return agents.size(); }
+};
+
+/// The forces on agents of which few move, and whose may have changed since they were computed. Positions are
+/// changed through it, so that its copies of them, the neighbour list and the table of pairs follow; the
+/// store learns of them by place() and whenever all forces that may have changed are asked for.
 ///
 /// On the way forces are in mixed precision where that is asked for and holds; evaluateExactly() is always in
 /// double precision. What is computed depends on positions and radii only, neither on the neighbour list nor
@@ -47,35 +54,41 @@ class AgentForces {
   const AgentStore& agents() const { return agents_; }
   const NeighbourList& neighbours() const { return neighbours_; }
   const BondTable& bonds() const { return bonds_; }
-  /// By agent. Velocities are the caller's to set; those of agents not seen before are zero.
-  const std::vector<AgentMotion>& motion() const { return motion_; }
-  std::span<AgentMotion> motion() { return motion_; }
-  /// The force on an agent, as last computed [N].
-  double residual(Index i) const { return motion_[i].force.norm(); }
-  /// The same, for a daughter times `firm` over the stiffness of her contacts, taken as `softest` at least,
-  /// where that is above 1 [N].
-  double restlessness(Index i) const { return motion_[i].restlessness; }
+  /// The force on an agent, as evaluateExactly() last computed it [N].
+  double residual(Index i) const { return residual_[i]; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 
-  /// Moves an agent, named to startMoving before, to the nearest place its constraints allow. Returns whether
-  /// the lists must be updated. May be called from several threads, for different agents.
-  bool moveTo(Index i, const Vec3& position);
-  /// Brings the lists up to date after the agents `moved` did, in ascending order; appends to `relisted`
-  /// whose partners changed.
-  void updateLists(std::span<const Index> moved, std::vector<Index>& relisted);
-
+  /// Agent i of the store as one that moves, at rest; no force is known.
+  AgentMotion motionOf(Index i) const;
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents);
-  /// Is told that the forces on the agents subset[begin] to subset[end - 1] have been computed.
+  /// Moves `agent`, which is agent i and was named to startMoving, to the nearest place its constraints
+  /// allow. Returns whether the lists must be updated. May be called from several threads, for different
+  /// agents.
+  bool moveTo(Index i, AgentMotion& agent, const Vec3& position);
+  /// Tells the store where an agent is.
+  void place(Index i, const AgentMotion& agent) { agents_.setPosition(i, agent.position); }
+  /// Brings the lists up to date after these agents did move; appends to `relisted` whose partners changed.
+  void updateLists(MovingAgents& moving, std::vector<Index>& relisted);
+
+  /// Is told that the forces on the agents [begin, end) have been computed.
   using Look = std::function<void(std::size_t begin, std::size_t end)>;
-  /// The forces on these agents, in ascending order. `look` is called for pieces of chunkSize agents, from
-  /// several threads.
-  void evaluate(std::span<const Index> subset, const Look& look = {});
+  /// Sets the forces on agents that move. `look` is called for pieces of chunkSize agents, from several
+  /// threads.
+  void evaluate(MovingAgents& moving, const Look& look);
+  /// Is told the force on the k-th of some agents, which is agent i.
+  using Take = std::function<void(std::size_t k, Index i, const AgentForce& force)>;
+  /// The forces on agents that are where the store has them, in ascending order, and their pressures there.
+  /// `take` is called from several threads, by one for each piece of chunkSize agents and in their order.
+  void evaluate(std::span<const Index> resting, const Take& take);
   /// The forces on these agents have been computed in mixed precision; evaluateExactly() is to do them again.
   void doubt(std::span<const Index> agents);
-  /// Computes in double precision all forces that may have changed since it did so last, and returns on whom,
-  /// in ascending order. From then on the agents `moving` move.
-  std::vector<Index> evaluateExactly(std::span<const Index> moving);
+  /// Tells the store where the agents that move are, and returns whose forces may have changed since
+  /// evaluateExactly() computed them, in ascending order.
+  std::vector<Index> unsure(const MovingAgents& moving);
+  /// Computes the forces on `unsure`, all that are, in double precision, and takes them as evaluate() does.
+  /// From then on the agents `moving` move.
+  void evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving, const Take& take);
 
  private:
   /// Knows nothing yet: every force is unsure.
@@ -100,8 +113,19 @@ class AgentForces {
   void packAll();
   void buildPairs();
   bool marksDaughters() const { return range_.daughterFactor > range_.factor; }
+  void placeAll(const MovingAgents& moving);
+  /// The room that an agent has, in single precision, which errs to the safe side [m].
+  float leashOf(Index i, const Vec3& position) const;
+  AgentForce forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
+                     const Vec3& position) const;
+  /// Calls f with the spheres of the precision on the way.
+  template <class F>
+  void withSpheres(F&& f) const;
+  /// Lets set(k, load) make of each load the force on the k-th agent, then calls look(begin, end).
+  template <class Spheres, class Set, class Seen>
+  void evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set, const Seen& look);
   template <class Spheres>
-  void evaluate(const Spheres& spheres, std::span<const Index> subset, const Look& look);
+  void evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take);
 
   AgentStore& agents_;
   const BondTable& bonds_;
@@ -116,7 +140,7 @@ class AgentForces {
   PairTable pairs_;
   std::vector<FixedSphere> fixed_;  ///< in mixed precision only
   std::vector<Sphere> spheres_;     ///< in mixed precision of the time of evaluateExactly()
-  std::vector<AgentMotion> motion_;
+  std::vector<double> residual_;    ///< of the time of evaluateExactly() [N]
   std::vector<Index> free_;
   std::vector<Index> moving_;  ///< since the last exact evaluation, in no particular order
   std::vector<std::uint8_t> isMoving_;

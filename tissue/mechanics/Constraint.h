@@ -14,11 +14,12 @@ class Constraint {
   static constexpr double onSurface = 1e-6;
 
   virtual ~Constraint() = default;
-  /// Moves `position`, where agent `i` is about to go, to the nearest allowed place.
-  virtual void project(const AgentStore& agents, Index i, Vec3& position) const = 0;
-  /// Takes the part out of `force` that the constraint at the agent's present position carries, so that what
-  /// is left is the residual.
-  virtual void release(const AgentStore& agents, Index i, Vec3& force) const = 0;
+  /// Moves `position`, where an agent of this kind and radius [m] is about to go, to the nearest allowed
+  /// place.
+  virtual void project(AgentKind kind, double radius, Vec3& position) const = 0;
+  /// Takes the part out of the `force` on an agent at `position` that the constraint carries there, so that
+  /// what is left is the residual.
+  virtual void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const = 0;
 };
 
 }  // namespace restenosis

@@ -21,9 +21,9 @@ Vec3 mobilityShares(double axialFactor) {
 }
 
 /// The velocity an agent sets out with.
-Vec3 slowedUphill(const AgentMotion& motion, double power) {
-  if (power > 0) return motion.velocity;
-  return motion.velocity * (motion.force.isZero(0) ? 0 : uphillShare);
+Vec3 slowedUphill(const AgentMotion& agent, double power) {
+  if (power > 0) return agent.velocity;
+  return agent.velocity * (agent.now.force.isZero(0) ? 0 : uphillShare);
 }
 
 }  // namespace
@@ -34,16 +34,15 @@ FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
 
-void FireMinimiser::total(const MinimiserView& view, std::size_t begin, std::size_t end,
-                          StepTotals& totals) const {
-  for (std::size_t k = begin; k < end; ++k) {
-    const AgentMotion& motion = view.motion[view.active[k]];
-    const Vec3 mobility = mobilityShare_ / motion.stiffness;
-    const double power = motion.force.dot(motion.velocity);
-    const Vec3 velocity = slowedUphill(motion, power);
+void FireMinimiser::total(std::span<const AgentMotion> agents, StepTotals& totals) const {
+  for (const AgentMotion& agent : agents) {
+    const Vec3& force = agent.now.force;
+    const Vec3 mobility = mobilityShare_ / agent.now.stiffness;
+    const double power = force.dot(agent.velocity);
+    const Vec3 velocity = slowedUphill(agent, power);
     totals.power += power;
     totals.velocity += velocity.dot(velocity.cwiseQuotient(mobility));
-    totals.force += motion.force.dot(motion.force.cwiseProduct(mobility));
+    totals.force += force.dot(force.cwiseProduct(mobility));
   }
 }
 
@@ -66,17 +65,16 @@ void FireMinimiser::begin(const StepTotals& totals) {
   steer_ = std::min(steer_, std::max(0.0, borne - timeStep_));
 }
 
-void FireMinimiser::step(const MinimiserView& view, std::size_t begin, std::size_t end,
-                         std::span<Vec3> moves) const {
-  for (std::size_t k = begin; k < end; ++k) {
-    const Index i = view.active[k];
-    AgentMotion& motion = view.motion[i];
-    const Vec3 slowed = slowedUphill(motion, motion.force.dot(motion.velocity));
-    const Vec3 pace = motion.force.cwiseProduct(mobilityShare_ / motion.stiffness);
-    motion.velocity = keep_ * slowed + (steer_ + timeStep_) * pace;
-    const double length = motion.velocity.norm() * timeStep_, limit = stepLimit_ * view.radius[i];
-    if (length > limit) motion.velocity *= limit / length;
-    moves[k - begin] = timeStep_ * motion.velocity;
+void FireMinimiser::step(std::span<AgentMotion> agents, std::span<Vec3> moves) const {
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    AgentMotion& agent = agents[k];
+    const Vec3& force = agent.now.force;
+    const Vec3 slowed = slowedUphill(agent, force.dot(agent.velocity));
+    const Vec3 pace = force.cwiseProduct(mobilityShare_ / agent.now.stiffness);
+    agent.velocity = keep_ * slowed + (steer_ + timeStep_) * pace;
+    const double length = agent.velocity.norm() * timeStep_, limit = stepLimit_ * agent.radius;
+    if (length > limit) agent.velocity *= limit / length;
+    moves[k] = timeStep_ * agent.velocity;
   }
 }
 

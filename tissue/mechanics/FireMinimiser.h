@@ -17,11 +17,9 @@ class FireMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "fire";
   explicit FireMinimiser(const MechanicsParameters& parameters);
-  void total(const MinimiserView& view, std::size_t begin, std::size_t end,
-             StepTotals& totals) const override;
+  void total(std::span<const AgentMotion> agents, StepTotals& totals) const override;
   void begin(const StepTotals& totals) override;
-  void step(const MinimiserView& view, std::size_t begin, std::size_t end,
-            std::span<Vec3> moves) const override;
+  void step(std::span<AgentMotion> agents, std::span<Vec3> moves) const override;
 
  private:
   Vec3 mobilityShare_;  ///< mobility times stiffness, by axis

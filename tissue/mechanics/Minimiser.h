@@ -13,13 +13,6 @@
 
 namespace restenosis {
 
-/// What a minimiser sees. `motion` and `radius` are by agent.
-struct MinimiserView {
-  std::span<const Index> active;  ///< agents that move, ascending
-  std::span<AgentMotion> motion;
-  std::span<const double> radius;  ///< [m]
-};
-
 /// What a step has to know of all agents together, found piece by piece.
 struct StepTotals {
   double power = 0;     ///< F . v
@@ -39,14 +32,12 @@ struct StepTotals {
 class Minimiser {
  public:
   virtual ~Minimiser() = default;
-  /// Adds the active agents [begin, end), changing none. For several threads.
-  virtual void total(const MinimiserView& view, std::size_t begin, std::size_t end,
-                     StepTotals& totals) const = 0;
+  /// Adds these agents, changing none. For several threads.
+  virtual void total(std::span<const AgentMotion> agents, StepTotals& totals) const = 0;
   virtual void begin(const StepTotals& totals) = 0;
-  /// Sets moves[k - begin] of the active agents [begin, end): how far to move [m], at most stepLimit x
-  /// radius. For several threads, each agent once a step.
-  virtual void step(const MinimiserView& view, std::size_t begin, std::size_t end,
-                    std::span<Vec3> moves) const = 0;
+  /// Sets moves[k] of agents[k]: how far to move [m], at most stepLimit x radius. For several threads, each
+  /// agent once a step.
+  virtual void step(std::span<AgentMotion> agents, std::span<Vec3> moves) const = 0;
 };
 
 /// The minimiser called `parameters.minimiser`. Throws std::invalid_argument naming the known ones.

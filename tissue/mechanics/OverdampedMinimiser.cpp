@@ -13,25 +13,21 @@ constexpr double stableShare = 0.9;
 OverdampedMinimiser::OverdampedMinimiser(const MechanicsParameters& parameters)
     : axialFactor_(parameters.axialForceFactor), stepLimit_(parameters.stepLimit) {}
 
-void OverdampedMinimiser::total(const MinimiserView& view, std::size_t begin, std::size_t end,
-                                StepTotals& totals) const {
-  for (std::size_t k = begin; k < end; ++k)
-    totals.stiffest = std::max(totals.stiffest, view.motion[view.active[k]].stiffness);
+void OverdampedMinimiser::total(std::span<const AgentMotion> agents, StepTotals& totals) const {
+  for (const AgentMotion& agent : agents) totals.stiffest = std::max(totals.stiffest, agent.now.stiffness);
 }
 
 void OverdampedMinimiser::begin(const StepTotals& totals) {
   mobility_ = stableShare / (totals.stiffest * std::max(1.0, axialFactor_));
 }
 
-void OverdampedMinimiser::step(const MinimiserView& view, std::size_t begin, std::size_t end,
-                               std::span<Vec3> moves) const {
-  for (std::size_t k = begin; k < end; ++k) {
-    const Index i = view.active[k];
-    Vec3 move = mobility_ * view.motion[i].force;
+void OverdampedMinimiser::step(std::span<AgentMotion> agents, std::span<Vec3> moves) const {
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    Vec3 move = mobility_ * agents[k].now.force;
     move.z() *= axialFactor_;
-    const double length = move.norm(), limit = stepLimit_ * view.radius[i];
+    const double length = move.norm(), limit = stepLimit_ * agents[k].radius;
     if (length > limit) move *= limit / length;
-    moves[k - begin] = move;
+    moves[k] = move;
   }
 }
 

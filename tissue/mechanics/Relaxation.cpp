@@ -135,11 +135,11 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
   report.residual = relaxing.residual() / characteristicForce_;
   report.agentEvaluations = standing.forces.evaluations() - evaluationsBefore;
   if (!report.converged && !parameters_.stopAtMaximum) {
-    const Index worst = relaxing.mostRestless();
+    const auto [worst, on] = relaxing.mostRestless();
     const AgentId id = standing.forces.agents().id[worst];
-    const double left = standing.forces.residual(worst) / characteristicForce_;
+    const double left = on.force.norm() / characteristicForce_;
     // What a daughter whom contacts hold softly may keep is less than the tolerance
-    const double restless = standing.forces.restlessness(worst) / characteristicForce_;
+    const double restless = on.restlessness / characteristicForce_;
     const std::string softly =
         restless > left
             ? fmt::format(" (of at most {:.3g}, for contacts hold it softly: mechanics.firmStiffness = {})",

@@ -38,11 +38,10 @@ RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleep
 void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
   keepAwake_ = false;
-  for (const Index i : awake_) {
-    forces_.motion()[i].velocity.setZero();
-    isAwake_[i] = 0;
-  }
-  awake_.clear();
+  for (const Index i : awake_.agents) isAwake_[i] = 0;
+  if (awake_.size() < awake_.motion.capacity() / 4) awake_ = {};  // gives memory back after all were awake
+  awake_.agents.clear();
+  awake_.motion.clear();
   isAwake_.resize(forces_.size(), 0);
   marked_.resize(forces_.size(), 0);
   wakeAnyone();
@@ -50,14 +49,12 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
 
 void RelaxingAgents::advance() {
   minimiser_->begin(sight().totals);
-  const AgentStore& agents = forces_.agents();
   const auto far = reducePieces<Any>(awake_.size(), [&](std::size_t begin, std::size_t end, Any& part) {
     std::array<Vec3, chunkSize> moves;
-    minimiser_->step(view(), begin, end, moves);
-    for (std::size_t k = begin; k < end; ++k) {
-      const Index i = awake_[k];
-      part.found |= forces_.moveTo(i, agents.position(i) + moves[k - begin]);
-    }
+    const auto motion = std::span(awake_.motion).subspan(begin, end - begin);
+    minimiser_->step(motion, moves);
+    for (std::size_t k = 0; k < motion.size(); ++k)
+      part.found |= forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]);
   });
   if (far.found) forces_.updateLists(awake_, relisted_);
   std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
@@ -73,13 +70,12 @@ void RelaxingAgents::Sight::join(const Sight& other) {
   restlessness = std::max(restlessness, other.restlessness);
 }
 
-MinimiserView RelaxingAgents::view() { return {awake_, forces_.motion(), forces_.agents().radius}; }
-
 void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
-  minimiser_->total(view(), begin, end, part.totals);
-  for (std::size_t k = begin; k < end; ++k) {
-    part.residual = std::max(part.residual, forces_.residual(awake_[k]));
-    part.restlessness = std::max(part.restlessness, forces_.restlessness(awake_[k]));
+  const auto motion = std::span<const AgentMotion>(awake_.motion).subspan(begin, end - begin);
+  minimiser_->total(motion, part.totals);
+  for (const AgentMotion& agent : motion) {
+    part.residual = std::max(part.residual, agent.now.force.norm());
+    part.restlessness = std::max(part.restlessness, agent.now.restlessness);
   }
 }
 
@@ -97,7 +93,7 @@ bool RelaxingAgents::wakeDisturbed() {
     return false;
   }
   const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
-  std::vector<Index> beside = collect(awake_, [&](Index i, const auto& take) {
+  std::vector<Index> beside = collect(awake_.agents, [&](Index i, const auto& take) {
     for (const Index j : forces_.neighbours().of(i)) take(j, asleep);
     for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
   });
@@ -106,22 +102,41 @@ bool RelaxingAgents::wakeDisturbed() {
   beside.insert(beside.end(), left.begin(), left.end());
   relisted_.clear();
   beside = unmarkAll(std::move(beside));
-  forces_.evaluate(beside);
+  const std::vector<Restless> restless = restlessOf(beside.size(), [&](auto& parts) {
+    forces_.evaluate(beside, [&](std::size_t k, Index j, const AgentForce& now) {
+      if (now.restlessness > wakingShare * tolerance_) parts[k / chunkSize].push_back({j, now});
+    });
+  });
   forces_.doubt(beside);
-  const std::vector<Index> restless =
-      agentsOf(beside, [this](Index j) { return forces_.restlessness(j) > wakingShare * tolerance_; });
   wakeRestless(restless);
   return !restless.empty();
 }
 
 bool RelaxingAgents::wakeAnyone() {
   // Whose force is as it was when this was last asked has been woken then, if it was to be
-  const std::vector<Index> computed = forces_.evaluateExactly(awake_);
+  const std::vector<Index> unsure = forces_.unsure(awake_);
+  const std::vector<Restless> restless = restlessOf(unsure.size(), [&](auto& parts) {
+    forces_.evaluateExactly(unsure, awake_.agents, [&](std::size_t k, Index i, const AgentForce& now) {
+      if (isAwake_[i]) {
+        motionOf(i).now = now;
+      } else if (now.restlessness > tolerance_) {
+        parts[k / chunkSize].push_back({i, now});
+      }
+    });
+  });
   sight_.reset();
   relisted_.clear();
-  wakeRestless(
-      agentsOf(computed, [this](Index i) { return !isAwake_[i] && forces_.restlessness(i) > tolerance_; }));
+  wakeRestless(restless);
   return sight().restlessness > tolerance_;
+}
+
+template <class Find>
+std::vector<RelaxingAgents::Restless> RelaxingAgents::restlessOf(std::size_t count, Find&& find) const {
+  std::vector<std::vector<Restless>> parts((count + chunkSize - 1) / chunkSize);
+  find(parts);
+  std::vector<Restless> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 template <class Look>
@@ -151,13 +166,13 @@ bool RelaxingAgents::areFew(std::size_t agents) const {
          std::max(fewAgents, static_cast<std::size_t>(fewShare * static_cast<double>(forces_.free().size())));
 }
 
-void RelaxingAgents::wakeRestless(const std::vector<Index>& restless) {
+void RelaxingAgents::wakeRestless(const std::vector<Restless>& restless) {
   if (restless.empty()) return;
-  if (mayAnyoneSleep() && areFew(awake_.size() + restless.size())) {
-    wake(restless);
-  } else {
-    wakeAllAsleep();
-  }
+  if (!mayAnyoneSleep() || !areFew(awake_.size() + restless.size())) return wakeAllAsleep();
+  std::vector<Index> sleepers;
+  for (const Restless& agent : restless) sleepers.push_back(agent.agent);
+  wake(sleepers);
+  for (const Restless& agent : restless) motionOf(agent.agent).now = agent.now;
 }
 
 void RelaxingAgents::wakeAll() {
@@ -168,7 +183,8 @@ void RelaxingAgents::wakeAll() {
 void RelaxingAgents::wakeAllAsleep() {
   const std::vector<Index> sleepers = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
   wake(sleepers);
-  forces_.evaluate(sleepers);  // they set out with the forces of now, not of when they were last looked at
+  // They set out with the forces of now, not of when they were last looked at
+  forces_.evaluate(sleepers, [this](std::size_t, Index i, const AgentForce& now) { motionOf(i).now = now; });
 }
 
 bool RelaxingAgents::settled(double residual, double restlessness, double share) const {
@@ -181,24 +197,50 @@ bool RelaxingAgents::allSettled(double share) {
 
 void RelaxingAgents::retireSettled(double share) {
   if (!mayAnyoneSleep()) return;
-  const auto atRest = [&](Index i) { return settled(forces_.residual(i), forces_.restlessness(i), share); };
-  std::vector<Index> restless = agentsOf(awake_, [&](Index i) { return !atRest(i); });
-  if (!areFew(restless.size())) return;
-  for (const Index i : agentsOf(awake_, atRest)) {
-    isAwake_[i] = 0;
-    forces_.motion()[i].velocity.setZero();
+  const auto restless = static_cast<std::size_t>(
+      std::ranges::count_if(awake_.motion, [&](const AgentMotion& m) { return !settled(m.now, share); }));
+  if (!areFew(restless)) return;
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < awake_.size(); ++k) {
+    const Index i = awake_.agents[k];
+    if (settled(awake_.motion[k].now, share)) {
+      isAwake_[i] = 0;
+      forces_.place(i, awake_.motion[k]);
+    } else {
+      awake_.agents[left] = i;
+      awake_.motion[left++] = awake_.motion[k];
+    }
   }
-  awake_ = std::move(restless);
+  awake_.agents.resize(left);
+  awake_.motion.resize(left);
   sight_.reset();
 }
 
-void RelaxingAgents::wake(const std::vector<Index>& sleepers) {
+void RelaxingAgents::wake(std::span<const Index> sleepers) {
   for (const Index i : sleepers) isAwake_[i] = 1;
   forces_.startMoving(sleepers);
-  const auto middle = static_cast<std::ptrdiff_t>(awake_.size());
-  if (!sleepers.empty()) sight_.reset();
-  awake_.insert(awake_.end(), sleepers.begin(), sleepers.end());
-  std::inplace_merge(awake_.begin(), awake_.begin() + middle, awake_.end());
+  if (sleepers.empty()) return;
+  sight_.reset();
+  // Both are sorted: from the back on, nobody is overwritten who is yet to be moved
+  std::size_t former = awake_.size(), next = sleepers.size(), place = former + next;
+  awake_.agents.resize(place);
+  awake_.motion.resize(place);
+  while (next > 0) {
+    --place;
+    if (former > 0 && awake_.agents[former - 1] > sleepers[next - 1]) {
+      --former;
+      awake_.agents[place] = awake_.agents[former];
+      awake_.motion[place] = awake_.motion[former];
+    } else {
+      awake_.agents[place] = sleepers[--next];
+    }
+  }
+  forEachInChunks(sleepers.size(),
+                  [&](std::size_t k) { motionOf(sleepers[k]) = forces_.motionOf(sleepers[k]); });
+}
+
+AgentMotion& RelaxingAgents::motionOf(Index awake) {
+  return awake_.motion[std::ranges::lower_bound(awake_.agents, awake) - awake_.agents.begin()];
 }
 
 double RelaxingAgents::residual() const {
@@ -207,9 +249,10 @@ double RelaxingAgents::residual() const {
   return largest;
 }
 
-Index RelaxingAgents::mostRestless() const {
-  return static_cast<Index>(std::ranges::max_element(forces_.motion(), {}, &AgentMotion::restlessness) -
-                            forces_.motion().begin());
+std::pair<Index, AgentForce> RelaxingAgents::mostRestless() const {
+  const auto worst = std::ranges::max_element(
+      awake_.motion, {}, [](const AgentMotion& agent) { return agent.now.restlessness; });
+  return {awake_.agents[worst - awake_.motion.begin()], worst->now};
 }
 
 }  // namespace restenosis

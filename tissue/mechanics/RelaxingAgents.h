@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "AgentForces.h"
@@ -43,16 +45,16 @@ class RelaxingAgents {
   /// Wakes everybody; nobody falls asleep before the next begin().
   void wakeAll();
 
-  bool allAsleep() const { return awake_.empty(); }
+  bool allAsleep() const { return awake_.agents.empty(); }
   bool fewAreAwake() const { return areFew(awake_.size()); }
   bool mayAnyoneSleep() const { return sleeping_ && !keepAwake_; }
   /// Computes in double precision all forces that may have changed since it did so last, and wakes the agents
   /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
-  /// Largest residual of all free agents, as last computed [N].
+  /// Largest residual of all free agents, as wakeAnyone() found it [N].
   double residual() const;
-  /// The agent farthest from rest, as last computed.
-  Index mostRestless() const;
+  /// The agent farthest from rest of those that are awake, of which there is one.
+  std::pair<Index, AgentForce> mostRestless() const;
 
  private:
   /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
@@ -64,12 +66,26 @@ class RelaxingAgents {
   /// Whether an agent, or all of those with these largest values [N], has settled at this share of the
   /// tolerance.
   bool settled(double residual, double restlessness, double share) const;
+  bool settled(const AgentForce& on, double share) const {
+    return settled(on.force.norm(), on.restlessness, share);
+  }
   /// Whether a disturbance of so many is a local one.
   bool areFew(std::size_t agents) const;
+  /// An agent that is to wake, and the force on it.
+  struct Restless {
+    Index agent;
+    AgentForce now;
+  };
+  /// What pieces of agents have found, one after the other: they are passed to find(parts), parts[n] for the
+  /// n-th piece of chunkSize out of `count`.
+  template <class Find>
+  std::vector<Restless> restlessOf(std::size_t count, Find&& find) const;
   /// Wakes them; all, if many are awake then.
-  void wakeRestless(const std::vector<Index>& restless);
+  void wakeRestless(const std::vector<Restless>& restless);
   void wakeAllAsleep();
-  void wake(const std::vector<Index>& sleepers);
+  /// In ascending order; no force on them is known.
+  void wake(std::span<const Index> sleepers);
+  AgentMotion& motionOf(Index awake);
   /// What the forces on awake agents amount to.
   struct Sight {
     StepTotals totals;
@@ -80,8 +96,6 @@ class RelaxingAgents {
   void look(std::size_t begin, std::size_t end, Sight& part);
   /// Of all awake agents; found when their forces are computed, or now.
   const Sight& sight();
-  MinimiserView view();
-
   AgentForces& forces_;
   double tolerance_;  ///< [N]
   bool sleeping_;
@@ -89,7 +103,7 @@ class RelaxingAgents {
 
   std::unique_ptr<Minimiser> minimiser_;
   std::vector<std::uint8_t> isAwake_;
-  std::vector<Index> awake_;
+  MovingAgents awake_;
   std::optional<Sight> sight_;        ///< nothing where awake_ or its forces have changed since
   std::vector<Index> relisted_;       ///< whose neighbours have changed since sleepers were looked at
   std::vector<std::uint8_t> marked_;  ///< scratch

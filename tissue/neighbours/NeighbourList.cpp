@@ -158,23 +158,22 @@ NeighbourList::Change NeighbourList::update(const AgentStore& agents, const Neig
   if (!rows_.empty() && range == range_ && sameAgents(agents)) {
     const std::vector<Index> names = findStale(agents);
     if (names.empty()) return {};
-    if (worthLookingUp(names)) return {.all = false, .agents = lookUp(agents, names)};
+    if (worthLookingUp(names.size())) return {.all = false, .agents = lookUp(agents, names)};
   }
   build(agents, range);
   return {.all = true, .agents = {}};
 }
 
 NeighbourList::Change NeighbourList::update(const AgentStore& agents, std::span<const Index> moved) {
-  const std::vector<Index> names =
-      agentsOf(moved, [&](Index i) { return hasLittleLeft(i, agents.position(i)); });
-  if (std::ranges::none_of(names, [&](Index i) { return movedTooFar(i, agents.position(i)); })) return {};
-  if (worthLookingUp(names)) return {.all = false, .agents = lookUp(agents, names)};
+  const std::vector<Index> names = agentsOf(moved, [&](Index i) { return hasLittleRoom(agents, i); });
+  if (std::ranges::none_of(names, [&](Index i) { return movedTooFar(agents, i); })) return {};
+  if (worthLookingUp(names.size())) return {.all = false, .agents = lookUp(agents, names)};
   build(agents, range_);
   return {.all = true, .agents = {}};
 }
 
-bool NeighbourList::worthLookingUp(const std::vector<Index>& names) const {
-  return static_cast<double>(names.size()) <= mostLookedUp * size() &&
+bool NeighbourList::worthLookingUp(std::size_t agents) const {
+  return static_cast<double>(agents) <= mostLookedUp * size() &&
          static_cast<double>(abandoned_) <= mostAbandoned * static_cast<double>(neighbours_.size());
 }
 
@@ -195,23 +194,19 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
     Anchor& anchor = anchors_[i];
     const double growth = std::max(0.0, agents.radius[i] - anchor.radius);
     anchor.allowance = std::max(0.0, range_.skin / 2 - widestFactor(range_) * growth);
-    return changed(i) || hasLittleLeft(i, agents.position(i));
+    return changed(i) || hasLittleRoom(agents, i);
   });
-  const bool necessary = agents.size() > size() || std::ranges::any_of(used, [&](Index i) {
-                           const double growth = agents.radius[i] - anchors_[i].radius;
-                           return changed(i) || movedTooFar(i, agents.position(i)) ||
-                                  widestFactor(range_) * growth > range_.skin / 2;
-                         });
+  const bool necessary =
+      agents.size() > size() || std::ranges::any_of(used, [&](Index i) {
+        const double growth = agents.radius[i] - anchors_[i].radius;
+        return changed(i) || movedTooFar(agents, i) || widestFactor(range_) * growth > range_.skin / 2;
+      });
   if (!necessary) return {};
   for (Index i = size(); i < agents.size(); ++i) used.push_back(i);
   return used;
 }
 
-bool NeighbourList::hasLittleLeft(Index i, const Vec3& position) const {
-  const Anchor& anchor = anchors_[i];
-  const double room = anchor.allowance - leftBeforeLookUp * range_.skin / 2;
-  return !(room >= 0 && (position - anchor.position).squaredNorm() <= room * room);
-}
+double NeighbourList::comfortableRoom() const { return leftBeforeLookUp * range_.skin / 2; }
 
 void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
   const Anchor& anchor = anchors_[i];

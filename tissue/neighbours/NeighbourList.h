@@ -44,9 +44,12 @@ class NeighbourList {
   /// appended, went or grew far, or became daughters, and builds anew where those are many or agents were
   /// removed or reordered. Throws as build does.
   Change update(const AgentStore& agents, const NeighbourRange& range);
-  /// The same where since the last build or update nothing happened but that the agents `moved`, in ascending
-  /// order, moved: costs what they cost.
+  /// The same where since the last build or update nothing happened but that agents moved; `moved` are, in
+  /// ascending order, those with less than comfortableRoom() left, and others at will. Costs what they cost.
   Change update(const AgentStore& agents, std::span<const Index> moved);
+
+  /// Whether an update looks so many agents up instead of building the list anew.
+  bool worthLookingUp(std::size_t agents) const;
 
   std::span<const Index> of(Index i) const { return {neighbours_.data() + rows_[i].start, rows_[i].count}; }
   Index size() const { return static_cast<Index>(anchors_.size()); }
@@ -54,12 +57,13 @@ class NeighbourList {
   /// Whether the agents of the list are still the first, in the same order.
   bool sameAgents(const AgentStore& agents) const;
 
-  /// True if agent i has gone so far that, with another that has gone as far, a pair may be missing. Radii
-  /// are those of the last build or update.
-  bool movedTooFar(Index i, const Vec3& position) const {
-    const Anchor& anchor = anchors_[i];
-    return !((position - anchor.position).squaredNorm() <= anchor.allowance * anchor.allowance);
+  /// How far agent i at `position` may still go before, with another that has gone as far, a pair may be
+  /// missing; below 0 one may be [m]. Radii are those of the last build or update.
+  double room(Index i, const Vec3& position) const {
+    return anchors_[i].allowance - (position - anchors_[i].position).norm();
   }
+  /// Agents with no more room than this are looked up when others must be [m].
+  double comfortableRoom() const;
 
  private:
   /// An agent as it was when it was last looked up.
@@ -76,11 +80,14 @@ class NeighbourList {
     std::uint32_t count = 0, room = 0;
   };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
-  /// Whether agent i at `position` is to be looked up when others must be.
-  bool hasLittleLeft(Index i, const Vec3& position) const;
+  /// Whether agent i of `agents` has no room.
+  bool movedTooFar(const AgentStore& agents, Index i) const { return !(room(i, agents.position(i)) >= 0); }
+  /// Whether it is to be looked up when others must be.
+  bool hasLittleRoom(const AgentStore& agents, Index i) const {
+    return !(room(i, agents.position(i)) >= comfortableRoom());
+  }
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
-  bool worthLookingUp(const std::vector<Index>& names) const;
   /// Looks up the agents `names`; returns whose rows changed, in ascending order.
   std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
   /// Appends the agents in range of agent i, in ascending order.

@@ -4,12 +4,12 @@
 
 namespace restenosis {
 
-void EndPlanes::project(const AgentStore&, Index, Vec3& position) const {
+void EndPlanes::project(AgentKind, double, Vec3& position) const {
   position.z() = std::clamp(position.z(), 0.0, length_);
 }
 
-void EndPlanes::release(const AgentStore& agents, Index i, Vec3& force) const {
-  if ((agents.z[i] <= 0 && force.z() < 0) || (agents.z[i] >= length_ && force.z() > 0)) force.z() = 0;
+void EndPlanes::release(AgentKind, double, const Vec3& position, Vec3& force) const {
+  if ((position.z() <= 0 && force.z() < 0) || (position.z() >= length_ && force.z() > 0)) force.z() = 0;
 }
 
 }  // namespace restenosis

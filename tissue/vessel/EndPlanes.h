@@ -8,8 +8,8 @@ namespace restenosis {
 class EndPlanes : public Constraint {
  public:
   explicit EndPlanes(double length) : length_(length) {}
-  void project(const AgentStore& agents, Index i, Vec3& position) const override;
-  void release(const AgentStore& agents, Index i, Vec3& force) const override;
+  void project(AgentKind kind, double radius, Vec3& position) const override;
+  void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
  private:
   double length_;

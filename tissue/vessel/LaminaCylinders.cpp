@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-void LaminaCylinders::project(const AgentStore& agents, Index i, Vec3& position) const {
-  switch (agents.kind[i]) {
+void LaminaCylinders::project(AgentKind kind, double, Vec3& position) const {
+  switch (kind) {
     case AgentKind::iel:
       position = atRadius(position, ielRadius_);
       break;
@@ -25,14 +25,14 @@ void LaminaCylinders::project(const AgentStore& agents, Index i, Vec3& position)
   }
 }
 
-void LaminaCylinders::release(const AgentStore& agents, Index i, Vec3& force) const {
-  const Vec3 position = agents.position(i), out = radialAt(position);
+void LaminaCylinders::release(AgentKind kind, double, const Vec3& position, Vec3& force) const {
+  const Vec3 out = radialAt(position);
   const double outward = force.dot(out), radius = radiusOf(position);
-  const bool onLamina = agents.kind[i] == AgentKind::iel || agents.kind[i] == AgentKind::eel;
-  const bool atInner = agents.kind[i] == AgentKind::smc && outward < 0 &&
-                       radius <= (ielRadius_ + clearance_) * (1 + onSurface);
-  const bool atOuter = agents.kind[i] == AgentKind::smc && outward > 0 &&
-                       radius >= (eelRadius_ - clearance_) * (1 - onSurface);
+  const bool onLamina = kind == AgentKind::iel || kind == AgentKind::eel;
+  const bool atInner =
+      kind == AgentKind::smc && outward < 0 && radius <= (ielRadius_ + clearance_) * (1 + onSurface);
+  const bool atOuter =
+      kind == AgentKind::smc && outward > 0 && radius >= (eelRadius_ - clearance_) * (1 - onSurface);
   if (onLamina || atInner || atOuter) force -= outward * out;
 }
 

@@ -11,8 +11,8 @@ class LaminaCylinders : public Constraint {
   /// Radii of the cylinders of the IEL's and the EEL's centres, and the clearance [m].
   LaminaCylinders(double ielRadius, double eelRadius, double clearance)
       : ielRadius_(ielRadius), eelRadius_(eelRadius), clearance_(clearance) {}
-  void project(const AgentStore& agents, Index i, Vec3& position) const override;
-  void release(const AgentStore& agents, Index i, Vec3& force) const override;
+  void project(AgentKind kind, double radius, Vec3& position) const override;
+  void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
  private:
   double ielRadius_, eelRadius_, clearance_;

@@ -17,19 +17,18 @@ bool OuterConfinement::deepInside(const Vec3& position, double radius) const {
   return isWithin(map_.lowest()) || isWithin(map_.lowestNear(position.x(), position.y(), position.z()));
 }
 
-void OuterConfinement::project(const AgentStore& agents, Index i, Vec3& position) const {
-  if (agents.kind[i] != AgentKind::smc && agents.kind[i] != AgentKind::iel) return;
-  if (deepInside(position, agents.radius[i])) return;
-  const double limit = map_.at(position) - margin_ * agents.radius[i];
+void OuterConfinement::project(AgentKind kind, double radius, Vec3& position) const {
+  if (kind != AgentKind::smc && kind != AgentKind::iel) return;
+  if (deepInside(position, radius)) return;
+  const double limit = map_.at(position) - margin_ * radius;
   if (radiusOf(position) > limit) position = atRadius(position, limit);
 }
 
-void OuterConfinement::release(const AgentStore& agents, Index i, Vec3& force) const {
-  if (agents.kind[i] != AgentKind::smc && agents.kind[i] != AgentKind::iel) return;
-  const Vec3 position = agents.position(i);
-  if (deepInside(position, agents.radius[i])) return;
+void OuterConfinement::release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const {
+  if (kind != AgentKind::smc && kind != AgentKind::iel) return;
+  if (deepInside(position, radius)) return;
   const Vec3 out = radialAt(position);
-  const double limit = map_.at(position) - margin_ * agents.radius[i];
+  const double limit = map_.at(position) - margin_ * radius;
   const double outward = force.dot(out);
   if (outward > 0 && radiusOf(position) >= limit * (1 - onSurface)) force -= outward * out;
 }

@@ -20,8 +20,8 @@ class OuterConfinement : public Constraint {
   /// nothing there.
   static constexpr double defaultMargin = 0.5;
 
-  void project(const AgentStore& agents, Index i, Vec3& position) const override;
-  void release(const AgentStore& agents, Index i, Vec3& force) const override;
+  void project(AgentKind kind, double radius, Vec3& position) const override;
+  void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
   template <class Archive>
   void archive(Archive& a) {
