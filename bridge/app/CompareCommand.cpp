@@ -81,21 +81,24 @@ void nameFiles(const fs::path& folder) {
     if (fs::exists(folder / file)) std::cout << fmt::format("  {:<20} {}\n", file, what);
 }
 
-/// The lumen that the scene makes, or that of its results.
-ComparedLumen comparedLumen(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
-                            int threads) {
-  if (arguments.ofResults()) return finishedLumen(arguments.scene.file, arguments.day);
-  return deployedLumen(scene, folder / "deployment", threads, &stopOnSignals());
+/// What an earlier comparison has left; beside the flows of this one it would be taken for theirs.
+void removeFormerComparison(const fs::path& folder) {
+  for (const char* file :
+       {"compare.json", "compare.vtp", "compareVelocity.csv", "compareMaps.png", "compareScatter.png"})
+    fs::remove(folder / file);
 }
 
+/// `given`: the lumen, where no run has to make it.
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
-            std::optional<ComparedLumen> loaded) {
+            std::optional<ComparedLumen> given) {
   requireFoamPath(folder);
   createOutputFolder(folder);
+  removeFormerComparison(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();
   const int threads = threadCount(arguments.threads);
   omp_set_num_threads(threads);
-  const ComparedLumen lumen = loaded ? std::move(*loaded) : comparedLumen(scene, arguments, folder, threads);
+  const ComparedLumen lumen =
+      given ? std::move(*given) : deployedLumen(scene, folder / "deployment", threads, stopRequested);
   const ProbeLines lines = probeLines(lumen.surface);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const LbmSettings lbm = scene.lbmSettings();
@@ -164,9 +167,13 @@ int tryCompare(const CompareArguments& arguments) {
   }
   return exitStatusOf(
       [&] {
-        std::optional<ComparedLumen> loaded;
-        if (!scene->vessel.lumenSurface.empty()) loaded = loadedLumen(*scene);
-        return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(loaded));
+        std::optional<ComparedLumen> given;  // refused before anything is written
+        if (arguments.ofResults()) {
+          given = finishedLumen(arguments.scene.file, arguments.day);
+        } else if (!scene->vessel.lumenSurface.empty()) {
+          given = loadedLumen(*scene);
+        }
+        return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(given));
       },
       {.interrupted = "interrupted"});
 }

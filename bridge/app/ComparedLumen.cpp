@@ -59,9 +59,13 @@ std::vector<Vec3> strutMiddles(const Scene& scene) {
 }
 
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {
-  const auto lumens = recordedLumens(results);
-  const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
-  return {readLumen(chosen.file), chosen.day};
+  try {
+    const auto lumens = recordedLumens(results);
+    const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
+    return {readLumen(chosen.file), chosen.day};
+  } catch (const std::runtime_error& error) {
+    throw LumenRefused(error.what());
+  }
 }
 
 }  // namespace restenosis

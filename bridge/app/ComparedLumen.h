@@ -17,7 +17,7 @@ struct ComparedLumen {
   double day = 0.0;
 };
 
-/// A loaded lumen that cannot be compared: the file is named, and what is needed.
+/// A lumen from a file that cannot be compared: the file is named, and what is needed.
 struct LumenRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -35,7 +35,7 @@ ComparedLumen loadedLumen(const Scene& scene);
 /// without a stent.
 std::vector<Vec3> strutMiddles(const Scene& scene);
 
-/// The lumen that a run has recorded nearest to a day, the last one without. Throws std::runtime_error.
+/// The lumen that a run has recorded nearest to a day, the last one without. Throws LumenRefused.
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day);
 
 }  // namespace restenosis

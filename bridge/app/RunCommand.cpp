@@ -18,6 +18,7 @@
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneArguments.h"
+#include "SceneFiles.h"
 #include "SceneFingerprint.h"
 #include "SceneReader.h"
 #include "SceneWriter.h"
@@ -92,8 +93,20 @@ std::string differencesFrom(const std::filesystem::path& path, const Scene& scen
   }
 }
 
+/// A new run would move them before it has read them. Throws FolderRefused.
+void requireFilesElsewhere(const Scene& scene, const std::filesystem::path& folder) {
+  for (const auto& file : sceneFiles(scene)) {
+    if (!ResultsFolder::holdsAsResult(folder, file)) continue;
+    throw FolderRefused(fmt::format(
+        "{}, which the scene names, lies among the results in {}, which a new run moves aside: copy it to "
+        "another place, or choose another folder with -o",
+        file.string(), folder.string()));
+  }
+}
+
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
+  if (!arguments.resume) requireFilesElsewhere(scene, path);
   if (scene.flow && scene.flow->backend == flowBackendNames::foam) requireFoamPath(path);
   const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
   for (const std::string& known : flowForecast(scene, arguments.ranks))

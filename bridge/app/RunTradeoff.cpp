@@ -42,9 +42,8 @@ struct Outcome {
 /// Empty where there is no such file.
 std::string contentIfThere(const fs::path& file) { return fs::exists(file) ? contentOf(file) : ""; }
 
-Outcome outcomeIn(const fs::path& folder) {
-  const auto summary = nlohmann::json::parse(contentIfThere(folder / "summary.json"), nullptr, false);
-  if (summary.is_discarded()) return {};
+/// Throws nlohmann::json::exception where `summary` is none of a run.
+Outcome outcomeOf(const nlohmann::json& summary) {
   const auto final = summary.at("final");
   const auto number = [&final](const char* name) {
     return final.at(name).is_number() ? final.at(name).get<double>() : 0.0;
@@ -58,12 +57,18 @@ Outcome outcomeIn(const fs::path& folder) {
           .fingerprint = summary.value("sceneFingerprint", "")};
 }
 
-Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& text,
-               const TradeoffOptions& options) {
-  const bool begun = contentIfThere(folder / "scene.toml") == text;
-  const Outcome former = outcomeIn(folder);
-  if (begun && former.holdsFor(scene)) return former;
-  const bool goesOn = begun && !former.ended() && fs::exists(folder / "checkpoint");
+/// Of no status where the folder has no summary, or one that cannot be read.
+Outcome outcomeIn(const fs::path& folder) {
+  try {
+    return outcomeOf(nlohmann::json::parse(contentIfThere(folder / "summary.json")));
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+}
+
+/// Runs the scene, from its checkpoint if it `goesOn`.
+Outcome ranIn(const fs::path& folder, const Scene& scene, const std::string& text,
+              const TradeoffOptions& options, bool goesOn) {
   const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
   Run run(scene, results, progress,
@@ -72,6 +77,21 @@ Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& te
   atomicWrite(results.scene(), text);
   run.go();
   return outcomeIn(folder);
+}
+
+Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& text,
+               const TradeoffOptions& options) {
+  const bool begun = contentIfThere(folder / "scene.toml") == text;
+  const Outcome former = outcomeIn(folder);
+  if (begun && former.holdsFor(scene)) return former;
+  if (begun && !former.ended() && fs::exists(folder / "checkpoint")) {
+    try {
+      return ranIn(folder, scene, text, options, true);
+    } catch (const CheckpointRefused& error) {
+      std::cerr << fmt::format("{}: run anew\n", error.what());
+    }
+  }
+  return ranIn(folder, scene, text, options, false);
 }
 
 /// The same; nothing, and why on standard error, where the tissue or the flow of this scene failed.

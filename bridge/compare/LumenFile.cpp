@@ -10,11 +10,13 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "SurfaceEnds.h"
 
@@ -60,6 +62,22 @@ void addCaps(TriSurface& tube, const std::filesystem::path& file) {
     throw std::runtime_error(fmt::format("{}: the lumen has not two open ends", file.string()));
 }
 
+/// The value of name="value" in an element of XML; empty where there is none.
+std::string_view attribute(std::string_view element, std::string_view name) {
+  const std::string key = fmt::format(" {}=\"", name);
+  const auto at = element.find(key);
+  if (at == std::string_view::npos) return {};
+  const auto begin = at + key.size();
+  return element.substr(begin, element.find('"', begin) - begin);
+}
+
+std::optional<double> numberIn(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
 }  // namespace
 
 std::vector<RecordedLumen> recordedLumens(const std::filesystem::path& results) {
@@ -68,10 +86,16 @@ std::vector<RecordedLumen> recordedLumens(const std::filesystem::path& results) 
   if (!stream)
     throw std::runtime_error(fmt::format("{} is missing: no lumen has been recorded", index.string()));
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  static const std::regex entry("timestep=\"([^\"]+)\"[^>]*file=\"([^\"]+)\"");
   std::vector<RecordedLumen> lumens;
-  for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at)
-    lumens.push_back({std::stod((*at)[1]), results / (*at)[2].str()});
+  constexpr std::string_view tag = "<DataSet ";
+  for (auto at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
+    const std::string_view element = std::string_view(text).substr(at, text.find('>', at) - at);
+    const auto day = numberIn(attribute(element, "timestep"));
+    const std::string_view file = attribute(element, "file");
+    if (!day || file.empty())
+      throw std::runtime_error(fmt::format("{} is damaged: an entry has no day or no file", index.string()));
+    lumens.push_back({*day, results / file});
+  }
   if (lumens.empty()) throw std::runtime_error(fmt::format("{} names no lumen yet", index.string()));
   return lumens;
 }
@@ -95,12 +119,19 @@ TriSurface readLumen(const std::filesystem::path& file) {
   tube.vertices.resize(static_cast<std::size_t>(data.GetNumberOfPoints()));
   for (std::size_t v = 0; v < tube.vertices.size(); ++v)
     data.GetPoint(static_cast<vtkIdType>(v), tube.vertices[v].data());
+  if (!std::ranges::all_of(tube.vertices, [](const Vec3& vertex) { return vertex.allFinite(); }))
+    throw std::runtime_error(fmt::format("{} is damaged: a vertex is not finite", file.string()));
   vtkNew<vtkIdList> corners;
   for (vtkIdType t = 0; t < data.GetNumberOfPolys(); ++t) {
     data.GetPolys()->GetCellAtId(t, corners);
     if (corners->GetNumberOfIds() != 3)
       throw std::runtime_error(fmt::format("{} has faces that are no triangles", file.string()));
-    const auto corner = [&](vtkIdType k) { return static_cast<std::uint32_t>(corners->GetId(k)); };
+    const auto corner = [&](vtkIdType k) {
+      const vtkIdType id = corners->GetId(k);
+      if (id < 0 || id >= data.GetNumberOfPoints())
+        throw std::runtime_error(fmt::format("{} is damaged: a face names no vertex", file.string()));
+      return static_cast<std::uint32_t>(id);
+    };
     tube.triangles.push_back({corner(0), corner(1), corner(2)});
     tube.region.push_back(region->GetComponent(t, 0) == 1.0 ? SurfaceRegion::strut : SurfaceRegion::wall);
   }

@@ -123,6 +123,13 @@ ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
   return results;
 }
 
+bool ResultsFolder::holdsAsResult(const fs::path& folder, const fs::path& file) {
+  const fs::path within = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
+  if (within.empty()) return false;
+  const fs::path& first = *within.begin();
+  return first == previous || writtenByRun(first);
+}
+
 bool ResultsFolder::moveFormerRun() const {
   try {
     return movePreviousRun(folder_);

@@ -33,6 +33,9 @@ class ResultsFolder {
   /// results folder.
   static ResultsFolder existing(const std::filesystem::path& folder);
 
+  /// Whether a file is part of the results in `folder`, which a new run moves aside or removes.
+  static bool holdsAsResult(const std::filesystem::path& folder, const std::filesystem::path& file);
+
   /// Moves the former run's files to `previous/`, as for a new run; tells whether there was one. Throws
   /// WriteFailed.
   bool moveFormerRun() const;

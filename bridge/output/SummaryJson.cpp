@@ -25,17 +25,21 @@ Json finalValues(const TimeSeriesRow& row) {
   return values;
 }
 
+Json orNull(const std::optional<double>& value, double scale = 1) {
+  return value ? Json(scale * *value) : Json();
+}
+
 Json deployment(const Summary& summary) {
   if (!summary.deployment) return nullptr;
   const DeploymentStatistics& wall = *summary.deployment;
   return {{"agentsLumenwardOfStruts", wall.escaped},
           {"cellsOutsideEel", wall.outside},
-          {"ielRadiusUnderStruts_um", 1e6 * wall.ielUnderStrut},
-          {"ielToEelUnderStruts_um", 1e6 * wall.laminaDistance},
+          {"ielRadiusUnderStruts_um", orNull(wall.ielUnderStrut, 1e6)},
+          {"ielToEelUnderStruts_um", orNull(wall.laminaDistance, 1e6)},
           {"largestOverlap_cellRadii", wall.largestOverlap},
-          {"meanBondStrain", wall.meanStrain},
+          {"meanBondStrain", orNull(wall.meanStrain)},
           {"largestBondStrain", wall.largestStrain},
-          {"meanIelBondStrain", wall.meanIelStrain},
+          {"meanIelBondStrain", orNull(wall.meanIelStrain)},
           {"largestIelBondStrain", wall.largestIelStrain}};
 }
 

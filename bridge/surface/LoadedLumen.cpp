@@ -211,6 +211,10 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
   sortEnds(s, ends);
   for (const auto t : ends[0].triangles) s.region[t] = SurfaceRegion::inlet;
   for (const auto t : ends[1].triangles) s.region[t] = SurfaceRegion::outlet;
+  if (std::ranges::find(s.region, SurfaceRegion::wall) == s.region.end())
+    refuseLumen(
+        "there is no wall in it: every solid beside the ends has 'strut' or 'stent' in its name; rename that "
+        "of the wall");
   return s;
 }
 

@@ -134,6 +134,7 @@ struct DiskFull {
   const char* log;  ///< exists; programs that start from now on inherit the limit
   rlim_t bytes;
   const char* words;
+  friend void PrintTo(const DiskFull& disk, std::ostream* out) { *out << disk.words; }
 };
 class FoamDiskFull : public ::testing::TestWithParam<DiskFull> {};
 

@@ -203,6 +203,15 @@ TEST_F(LoadedLumen, NamesInCapitalsDecideToo) {
   expectEnds(loadLumen(file, 1e-3), Vec3(0, 0, 2e-3), Vec3(0, 0, 0));
 }
 
+TEST_F(LoadedLumen, AWallOfStrutsOnlyIsRefused) {
+  writeNamedStl(file, tube(vesselRadius, 2e-3), 1e-3);
+  std::string text = readText(file);
+  for (auto at = text.find("wall"); at != std::string::npos; at = text.find("wall", at))
+    text.replace(at, 4, "stented_artery");
+  writeText(file, text);
+  EXPECT_SAYS(refusalOfFile(), "there is no wall in it");
+}
+
 TEST_F(LoadedLumen, OneNameForBothEndsIsRefused) {
   TriSurface named = tube(vesselRadius, 2e-3);
   for (auto& r : named.region)

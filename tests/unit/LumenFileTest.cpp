@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "AtomicFile.h"
 #include "Constants.h"
 #include "FlowSupport.h"
 #include "LumenFile.h"
@@ -52,6 +54,43 @@ TEST(LumenFile, whatIsNoLumenIsRefused) {
   holed.region.erase(holed.region.begin() + 900);
   writeLumen(folder / "lumen.vtp", holed, nullptr, 0.0);
   EXPECT_THROW(readLumen(folder / "lumen.vtp"), std::runtime_error);
+}
+
+TEST(LumenFile, aDamagedIndexIsNamed) {
+  const std::string file = " file=\"lumen/a.vtp\"", longName(500000, 'a');
+  for (const std::string& entry : {"timestep=\"x\"" + file, "timestep=\"1e999\"" + file,
+                                   std::string("timestep=\"4\""), "timestep=\"4\" " + longName}) {
+    const TemporaryFolder folder;
+    writeText(folder / "lumen.pvd", "<Collection>\n<DataSet " + entry + "/>\n</Collection>\n");
+    try {
+      recordedLumens(folder.path());
+      ADD_FAILURE() << entry.substr(0, 60);
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("lumen.pvd is damaged"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(LumenFile, aFaceThatNamesNoVertexIsRefused) {
+  const TemporaryFolder folder;
+  for (const char* corner : {"3", "-1", "1000000"}) {
+    writeText(folder / "lumen.vtp",
+              fmt::format("<VTKFile type='PolyData' version='0.1' byte_order='LittleEndian'><PolyData>"
+                          "<Piece NumberOfPoints='3' NumberOfPolys='1'><Points>"
+                          "<DataArray type='Float64' NumberOfComponents='3' format='ascii'>"
+                          "0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>"
+                          "<DataArray type='Int64' Name='connectivity' format='ascii'>0 1 {}</DataArray>"
+                          "<DataArray type='Int64' Name='offsets' format='ascii'>3</DataArray></Polys>"
+                          "<CellData><DataArray type='Float64' Name='region' format='ascii'>0</DataArray>"
+                          "</CellData></Piece></PolyData></VTKFile>",
+                          corner));
+    try {
+      readLumen(folder / "lumen.vtp");
+      ADD_FAILURE() << corner;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("a face names no vertex"), std::string::npos) << error.what();
+    }
+  }
 }
 
 std::string refusalOf(const TriSurface& lumen) {

@@ -54,6 +54,18 @@ TEST(ResultsFolder, RemovesTheCasesOfLaterSolves) {
   EXPECT_TRUE(fs::exists(folder / "results/flow/9 my own"));
 }
 
+TEST(ResultsFolder, KnowsWhatANewRunWouldMoveAside) {
+  TemporaryFolder folder;
+  const fs::path results = folder / "results";
+  fs::create_directories(results / "lumen");
+  for (const char* file : {"lumen/a.stl", "flow/0/l.stl", "previous/flow/0/l.stl", "scene.toml", "previous"})
+    EXPECT_TRUE(ResultsFolder::holdsAsResult(results, results / file)) << file;
+  for (const char* file : {"mine.stl", "../lumen/a.stl", "inputs/lumen/a.stl", "."})
+    EXPECT_FALSE(ResultsFolder::holdsAsResult(results, results / file)) << file;
+  fs::create_directory_symlink(results / "lumen", folder / "link");
+  EXPECT_TRUE(ResultsFolder::holdsAsResult(results, folder / "link/a.stl"));
+}
+
 TEST(ResultsFolder, RefusesAFolderWithForeignFiles) {
   TemporaryFolder folder;
   writeText(folder / "thesis.tex", "years of work");

@@ -21,7 +21,10 @@ Summary example() {
   summary.last.time = 864000;
   summary.last.agents = 70123;
   summary.last.neointimaThickness = 51e-6;
-  summary.deployment = {.escaped = 1, .laminaDistance = 95e-6, .largestStrain = 0.4};
+  summary.deployment.emplace();
+  summary.deployment->escaped = 1;
+  summary.deployment->laminaDistance = 95e-6;
+  summary.deployment->largestStrain = 0.4;
   summary.flowSolvesDone = 5;
   summary.flowSolvesSkipped = {{"no covered cell", 72}, {"the lumen has moved too little", 8}};
   summary.flowMeshesMoved = 3;
@@ -46,6 +49,7 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 1);
   EXPECT_NEAR(json["deployment"]["ielToEelUnderStruts_um"].get<double>(), 95, 1e-9);
   EXPECT_EQ(json["deployment"]["largestBondStrain"], 0.4);
+  EXPECT_TRUE(json["deployment"]["meanIelBondStrain"].is_null()) << "there were no such bonds";
   EXPECT_TRUE(json["injury"].is_null());
   EXPECT_EQ(json["flow"]["solvesDone"], 5);
   EXPECT_EQ(json["flow"]["solvesSkipped"], 80);

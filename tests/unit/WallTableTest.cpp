@@ -75,6 +75,10 @@ TEST_F(WallTable, AFewCellsAreATissueToo) {
   EXPECT_FINDING(finding("x,y,z,radius\n300,0,100,15\n", &stent), ": no agent stands between 45 and 90 deg");
 }
 
+TEST_F(WallTable, StrutsAloneAreNoWall) {
+  EXPECT_FINDING(finding("x,y,z,radius,kind\n260,0,100,15,strut\n"), ": has struts only");
+}
+
 TEST_F(WallTable, AnotherUnitIsToldByTheRadius) {
   for (const auto& [scale, shown] : {std::pair(1e-6, "1.5e-05"), {1e-3, "0.015"}, {1e3, "15000"}}) {
     EXPECT_FINDING(finding(wall(scale)), fmt::format(":2: a radius of {} um; allowed are 1.5 to 150 um, a "

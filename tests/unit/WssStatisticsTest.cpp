@@ -9,8 +9,8 @@ namespace {
 
 TEST(WssStatistics, WeighsByArea) {
   std::vector<WallFace> faces;
-  for (int n = 1; n <= 100; ++n) faces.push_back({{}, 2.0, {0, 0, n * 0.01}, SurfaceRegion::wall});
-  faces.push_back({{}, 5.0, {3, 0, 4}, SurfaceRegion::strut});
+  for (int n = 1; n <= 100; ++n) faces.push_back({Vec3::Zero(), 2.0, {0, 0, n * 0.01}, SurfaceRegion::wall});
+  faces.push_back({Vec3::Zero(), 5.0, {3, 0, 4}, SurfaceRegion::strut});
   const WssStatistics wall = wssStatistics(faces, SurfaceRegion::wall);
   EXPECT_DOUBLE_EQ(wall.area, 200);
   EXPECT_NEAR(wall.mean, 0.505, 1e-12);

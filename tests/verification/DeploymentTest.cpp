@@ -53,10 +53,10 @@ TEST_P(Deployed, KeepsTheWallTogether) {
   const DeploymentStatistics statistics = deployment.statistics();
   EXPECT_EQ(statistics.escaped, 0u);
   EXPECT_EQ(statistics.outside, 0u);
-  EXPECT_GT(statistics.ielUnderStrut, 0.26e-3);
-  EXPECT_LT(statistics.ielUnderStrut, 0.28e-3);
-  EXPECT_LT(statistics.laminaDistance, 0.16e-3);
-  EXPECT_GT(statistics.laminaDistance, 0.09e-3);
+  EXPECT_GT(statistics.ielUnderStrut.value(), 0.26e-3);
+  EXPECT_LT(statistics.ielUnderStrut.value(), 0.28e-3);
+  EXPECT_LT(statistics.laminaDistance.value(), 0.16e-3);
+  EXPECT_GT(statistics.laminaDistance.value(), 0.09e-3);
   EXPECT_LT(statistics.largestOverlap, 2);
   EXPECT_GT(statistics.largestIelStrain, 0.05);
 }

@@ -13,7 +13,10 @@ namespace {
 class Mean {
  public:
   void add(double value) { sum_ += value, ++count_; }
-  double value() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
+  std::optional<double> value() const {
+    if (count_ == 0) return std::nullopt;
+    return sum_ / static_cast<double>(count_);
+  }
 
  private:
   double sum_ = 0;
@@ -38,7 +41,7 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
     if (under && agents.kind[i] == AgentKind::eel) eel.add(radius);
   }
   result.ielUnderStrut = iel.value();
-  result.laminaDistance = eel.value() - iel.value();
+  if (iel.value() && eel.value()) result.laminaDistance = *eel.value() - *iel.value();
 }
 
 void measureOverlap(const Wall& wall, DeploymentStatistics& result) {

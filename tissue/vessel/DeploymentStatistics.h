@@ -1,21 +1,23 @@
 #pragma once
 
+#include <optional>
+
 #include "Stent.h"
 #include "Wall.h"
 
 namespace restenosis {
 
-/// How a deployed wall came out.
+/// How a deployed wall came out. A mean over none is absent.
 struct DeploymentStatistics {
-  Index escaped = 0;            ///< wall agents in the way of a strut that lie lumenward of its outer face
-  Index outside = 0;            ///< cells outside the EEL
-  double ielUnderStrut = 0;     ///< mean distance of the IEL from the axis under struts [m]
-  double laminaDistance = 0;    ///< mean IEL-to-EEL distance under struts [m]
-  double largestOverlap = 0;    ///< of two agents that are not both struts, over the mean cell radius
-  double meanIelStrain = 0;     ///< of bonds between IEL agents
-  double largestIelStrain = 0;  ///< the same
-  double meanStrain = 0;        ///< of all bonds
-  double largestStrain = 0;     ///< the same
+  Index escaped = 0;  ///< wall agents in the way of a strut that lie lumenward of its outer face
+  Index outside = 0;  ///< cells outside the EEL
+  std::optional<double> ielUnderStrut;   ///< mean distance of the IEL from the axis under struts [m]
+  std::optional<double> laminaDistance;  ///< mean IEL-to-EEL distance under struts [m]
+  double largestOverlap = 0;            ///< of two agents that are not both struts, over the mean cell radius
+  std::optional<double> meanIelStrain;  ///< of bonds between IEL agents
+  double largestIelStrain = 0;          ///< the same
+  std::optional<double> meanStrain;     ///< of all bonds
+  double largestStrain = 0;             ///< the same
 
   template <class Archive>
   void archive(Archive& a) {

@@ -31,6 +31,8 @@ class WallTableCheck {
 
   void check() const {
     for (Index i = 0; i < agents_.size(); ++i) checkAgent(i);
+    const auto isStrut = [](AgentKind kind) { return kind == AgentKind::strut; };
+    if (std::ranges::all_of(agents_.kind, isStrut)) fail("has struts only; a wall has smc, iel or eel, too");
     checkOutermost();
     if (stent_ || hasLamina()) {
       checkSectors();

@@ -5,6 +5,7 @@
 
 #include "PointTree.h"
 #include "SmoothNormals.h"
+#include "TrianglePieces.h"
 #include "WallDistances.h"
 
 namespace restenosis {
@@ -17,6 +18,9 @@ constexpr double linkedWeight = 0.1;
 /// Where there are fewer than `fewestNodes`, those up to this distance.
 constexpr double largeRadius = 5.0;
 constexpr std::size_t fewestNodes = 6;
+/// The stress is taken once a triangle, and for longer ones than this [spacings] once a piece: drawings have
+/// long triangles where a lumen is straight (assumed).
+constexpr double longestPiece = 4.0;
 /// An edge is near where the normals of faces within this distance [spacings] differ by more than 35 degrees.
 constexpr double edgeReach = 3.0, edgeCosine = 0.819;
 
@@ -103,19 +107,22 @@ double reachOf(StressRule rule) {
 WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule,
                        double viscosity)
     : viscosity_(viscosity) {
-  listFaces(lumen, rule);
+  listFaces(lumen, rule, lattice.frame.dx);
   NodesOfFaces found = findNodes(lattice, rule);
   weigh(found, lumen, lattice);
   keep(found);
 }
 
-void WallStress::listFaces(const TriSurface& lumen, StressRule rule) {
+void WallStress::listFaces(const TriSurface& lumen, StressRule rule, double dx) {
   const SmoothNormals normals(lumen);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     if (lumen.region[i] != SurfaceRegion::wall && lumen.region[i] != SurfaceRegion::strut) continue;
-    const double area = lumen.areaVector(i).norm();
-    if (!(area > 0.0)) continue;
-    faces_.push_back({lumen.centre(i), normals.at(i), area, lumen.region[i], 0, 0, rule});
+    const auto& [a, b, c] = lumen.triangles[i];
+    forEachPieceOf({lumen.vertices[a], lumen.vertices[b], lumen.vertices[c]}, longestPiece * dx,
+                   [&](const Vec3& centre, double area) {
+                     if (area > 0.0)
+                       faces_.push_back({centre, normals.at(i), area, lumen.region[i], 0, 0, rule});
+                   });
   }
 }
 

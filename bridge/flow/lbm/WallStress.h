@@ -59,7 +59,7 @@ class WallStress {
   };
   using NodesOfFaces = std::vector<std::vector<NearNode>>;
 
-  void listFaces(const TriSurface& lumen, StressRule rule);
+  void listFaces(const TriSurface& lumen, StressRule rule, double dx);
   /// Decides each face's rule and finds the nodes it looks at.
   NodesOfFaces findNodes(const LumenLattice& lattice, StressRule rule);
   /// Makes the nodes' weights those of the stress, by each face's rule.
