@@ -65,7 +65,7 @@ class FlowBackend {
   virtual ~FlowBackend() = default;
   virtual std::string_view name() const = 0;
   /// Solves for this lumen. `caseFolder` is the backend's to create and fill; what it leaves there is what a
-  /// user opens. Throws FlowFailed.
+  /// user opens. Throws FlowFailed, or WriteFailed where the case cannot be written.
   virtual FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                              const std::filesystem::path& caseFolder) = 0;
   /// The next solve may make use of the solution that a former one has left in this folder, which stays as it

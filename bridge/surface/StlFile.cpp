@@ -14,11 +14,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 
+#include "AtomicFile.h"
 #include "StlTriangles.h"
 
 namespace restenosis {
@@ -26,13 +26,6 @@ namespace {
 
 constexpr std::array allRegions{SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet,
                                 SurfaceRegion::outlet};
-
-void save(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
 
 /// Distance below which vertices are one, over the diagonal of the surface's box.
 constexpr double mergedWithin = 1e-6;
@@ -146,7 +139,7 @@ void writeStl(const std::filesystem::path& file, const TriSurface& surface, doub
     ++count;
   }
   std::memcpy(content.data() + 80, &count, sizeof(count));
-  save(file, content);
+  atomicWrite(file, content);
 }
 
 void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit) {
@@ -167,7 +160,7 @@ void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface,
     }
     fmt::format_to(out, "endsolid {}\n", regionName(region));
   }
-  save(file, content);
+  atomicWrite(file, content);
 }
 
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit) {

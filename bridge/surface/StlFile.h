@@ -12,7 +12,7 @@
 namespace restenosis {
 
 /// Writes the triangles of some regions (all if empty) as binary STL, in units of `metresPerUnit` (1e-3: mm).
-/// Throws std::runtime_error if the file cannot be written.
+/// Throws WriteFailed.
 void writeStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit,
               std::span<const SurfaceRegion> regions = {});
 

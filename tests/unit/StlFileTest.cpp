@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "AtomicFile.h"
 #include "CylinderSurface.h"
 #include "StlFile.h"
 #include "SurfaceCheck.h"
@@ -59,7 +60,7 @@ TEST_F(StlFile, WritesChosenRegionsOnly) {
 
 TEST_F(StlFile, NamesWhatCannotBeReadOrWritten) {
   EXPECT_THROW(readStl("/nowhere/lumen.stl", 1e-3), std::runtime_error);
-  EXPECT_THROW(writeStl("/nowhere/lumen.stl", surface, 1e-3), std::runtime_error);
+  EXPECT_THROW(writeStl("/nowhere/lumen.stl", surface, 1e-3), WriteFailed);
   std::ofstream(file) << "not a surface";
   EXPECT_THROW(readStl(file, 1e-3), std::runtime_error);
 }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <optional>
 
+#include "AtomicFile.h"
 #include "AttemptLogs.h"
 #include "FlowBackendNames.h"
 #include "FoamLog.h"
@@ -25,13 +25,6 @@ namespace {
 constexpr double overshootCells = 2.0;
 /// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
 constexpr double rimErrorRemark = 0.02;
-
-void writeText(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
 
 }  // namespace
 
@@ -89,6 +82,9 @@ FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurf
           "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
           first.withLogIn(folder / firstAttemptLogs)));
       return solution;
+    } catch (const WriteFailed& second) {  // what was wanting may have ended the first one
+      throw WriteFailed(
+          fmt::format("{}; before that: {}", second.what(), first.withLogIn(folder / firstAttemptLogs)));
     } catch (const FlowFailed& second) {
       throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
                                    second.what(), first.withLogIn(folder / firstAttemptLogs)),
@@ -113,17 +109,17 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
   copyFoamTemplate(foamTemplate(), folder);
   for (const auto& [file, text] : logs) {
     fs::create_directories((folder / file).parent_path());
-    writeText(folder / file, text);
+    atomicWrite(folder / file, text);
   }
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));
   writeLumenParameters(parameters, lumen, conditions, settings_, how.effort, execution_.ranks);
-  writeText(file, parameters.text());
+  atomicWrite(file, parameters.text());
   const fs::path surfaces = folder / "constant/triSurface";
   writeLumenStl(surface, lumen.ends, overshootCells * settings_.cellSize, surfaces / "lumen.stl");
   if (lumen.ends != LumenEnds::cut) writeRims(surface, lumen.ends, surfaces / "rims.obj");
-  writeText(folder / "case.foam", "");
+  atomicWrite(folder / "case.foam", "");
 }
 
 FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surface, const LumenCase& lumen,
@@ -154,7 +150,13 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     throw;
   } catch (const MorphRefused&) {
     throw;
-  } catch (const std::exception& error) {  // files that cannot be written or copied
+  } catch (const WriteFailed&) {
+    throw;
+  } catch (const fs::filesystem_error& error) {  // files that cannot be copied
+    if (const int number = error.code().value(); isForWantOfRoom(number))
+      throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), writeFailureReason(number)));
+    throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
+  } catch (const std::exception& error) {
     throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
   }
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "AtomicFile.h"
 #include "FoamLog.h"
 #include "FoamRequirements.h"
 #include "MeshMorph.h"
@@ -121,6 +122,8 @@ std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerC
     mesh.points = std::move(moved.points);
     copyPolyMesh(formerCase, folder_, mesh.points);
   } catch (const MorphRefused&) {
+    throw;
+  } catch (const WriteFailed&) {  // a new mesh would need more room
     throw;
   } catch (const std::exception& error) {
     throw MorphRefused("the mesh could not be moved", error.what());

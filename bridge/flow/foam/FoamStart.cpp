@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
+#include "AtomicFile.h"
 #include "FoamBinary.h"
 #include "FoamLog.h"
 #include "PointTree.h"
@@ -47,12 +47,7 @@ class FieldFile {
     replace(entry,
             fmt::format("{} nonuniform List<{}>\n{}", entry, type, foamBinaryList(values, components)));
   }
-  void write() const {
-    std::ofstream stream(file_, std::ios::binary);
-    stream << text_;
-    stream.close();
-    if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
-  }
+  void write() const { atomicWrite(file_, text_); }
 
  private:
   void replace(std::string_view from, const std::string& with) {

@@ -24,8 +24,8 @@ class FoamStart {
   /// `solution`, which must outlive this, on a mesh that may have moved since: its cells are at `centres`.
   FoamStart(const FoamSolution& solution, std::vector<Vec3> centres);
   /// Puts the values into 0/U, at the inlet as well, and 0/p of a case, or of a rank's part of it, whose mesh
-  /// is there and whose fields are the template's. Throws std::runtime_error where they cannot be read or
-  /// written.
+  /// is there and whose fields are the template's. Throws std::runtime_error where they cannot be read,
+  /// WriteFailed where they cannot be written.
   void write(const std::filesystem::path& part) const;
 
  private:

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
-#include <stdexcept>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "AtomicFile.h"
 #include "StlFile.h"
 
 namespace restenosis {
@@ -36,10 +36,7 @@ bool isCut(SurfaceRegion region, LumenEnds ends) {
 bool isCap(SurfaceRegion region, LumenEnds ends) { return isEnd(region) && !isCut(region, ends); }
 
 void save(const fmt::memory_buffer& text, const std::filesystem::path& file) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  atomicWrite(file, std::string_view(text.data(), text.size()));
 }
 
 }  // namespace

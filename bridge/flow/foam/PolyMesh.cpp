@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 #include <stdexcept>
 
+#include "AtomicFile.h"
 #include "FoamBinary.h"
 #include "FoamLog.h"
 
@@ -97,13 +97,14 @@ void copyPolyMesh(const fs::path& fromCase, const fs::path& toCase, const std::v
   std::vector<double> coordinates;
   coordinates.reserve(3 * points.size());
   for (const Vec3& p : points) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-  std::ofstream stream(to / "points", std::ios::binary);
-  stream << "FoamFile\n{\n    version     2.0;\n    format      binary;\n    class       vectorField;\n"
-            "    arch        \"LSB;label=32;scalar=64\";\n    location    \"constant/polyMesh\";\n"
-            "    object      points;\n}\n\n"
-         << foamBinaryList(coordinates, 3) << '\n';
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", (to / "points").string()));
+  atomicWrite(to / "points", [&](const PieceWriter& write) {
+    write(
+        "FoamFile\n{\n    version     2.0;\n    format      binary;\n    class       vectorField;\n"
+        "    arch        \"LSB;label=32;scalar=64\";\n    location    \"constant/polyMesh\";\n"
+        "    object      points;\n}\n\n");
+    write(foamBinaryList(coordinates, 3));
+    write("\n");
+  });
 }
 
 }  // namespace restenosis

@@ -38,7 +38,7 @@ struct PolyMesh {
 /// where the parts do not fit each other.
 PolyMesh readPolyMesh(const std::filesystem::path& caseFolder);
 
-/// Makes a case's mesh that of another case, but with these points. Throws std::runtime_error or
+/// Makes a case's mesh that of another case, but with these points. Throws WriteFailed or
 /// std::filesystem::filesystem_error where that fails.
 void copyPolyMesh(const std::filesystem::path& fromCase, const std::filesystem::path& toCase,
                   const std::vector<Vec3>& points);

@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason(int error) {
-  return error == ENOSPC || error == EDQUOT || error == EFBIG
-             ? fmt::format("{}: make room and go on with --resume", std::strerror(error))
-             : std::strerror(error);
-}
-
 /// A file being written; closed and removed unless `commit` is reached.
 class PartialFile {
  public:
@@ -71,7 +65,7 @@ class PartialFile {
   }
 
   [[noreturn]] void fail(const char* what) const {
-    throw WriteFailed(fmt::format("cannot {} {}: {}", what, target_.string(), reason(errno)));
+    throw WriteFailed(fmt::format("cannot {} {}: {}", what, target_.string(), writeFailureReason(errno)));
   }
 
   /// Makes the rename itself survive a power cut; file systems that cannot do it are left alone.
@@ -91,6 +85,13 @@ class PartialFile {
 
 }  // namespace
 
+bool isForWantOfRoom(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
+
+std::string writeFailureReason(int error) {
+  return isForWantOfRoom(error) ? fmt::format("{}: make room and go on with --resume", std::strerror(error))
+                                : std::strerror(error);
+}
+
 void atomicWrite(const fs::path& file, const std::function<void(const PieceWriter&)>& content) {
   PartialFile partial(file);
   content([&partial](std::string_view piece) { partial.write(piece); });
@@ -105,7 +106,7 @@ void createFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteFailed(fmt::format("cannot create folder {}: {}", folder.string(), error.message()));
-  if (!fs::is_directory(folder))
+  if (!fs::is_directory(folder, error))
     throw WriteFailed(fmt::format("cannot create folder {}: a file of that name is there", folder.string()));
 }
 

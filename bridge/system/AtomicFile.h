@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace restenosis {
@@ -11,6 +12,12 @@ namespace restenosis {
 struct WriteFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Whether the system's `errno` tells of a disk, a quota or a size limit that is used up.
+bool isForWantOfRoom(int error);
+
+/// The system's words for an `errno`, and what to do where there is no room.
+std::string writeFailureReason(int error);
 
 /// Takes a piece of a file's content.
 using PieceWriter = std::function<void(std::string_view)>;
