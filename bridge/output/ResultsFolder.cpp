@@ -39,6 +39,26 @@ bool writtenByRun(const fs::path& name) {
   return std::ranges::find(names, whole) != names.end();
 }
 
+[[noreturn]] void refuseUnreadable(const fs::path& folder, const std::error_code& why) {
+  throw FolderRefused(
+      fmt::format("cannot read {}: {}: choose another folder with -o", folder.string(), why.message()));
+}
+
+/// Whether it is there; refuses a folder that may not be searched.
+bool isThere(const fs::path& folder, const fs::path& name = {}) {
+  std::error_code error;
+  const bool there = fs::exists(name.empty() ? folder : folder / name, error);
+  if (error) refuseUnreadable(folder, error);
+  return there;
+}
+
+bool isEmpty(const fs::path& folder) {
+  std::error_code error;
+  const bool empty = fs::is_empty(folder, error);
+  if (error) refuseUnreadable(folder, error);
+  return empty;
+}
+
 std::string firstEntry(const fs::path& folder) {
   std::string first;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -79,8 +99,8 @@ void createOutputFolder(const fs::path& folder) {
   } catch (const WriteFailed& error) {
     throw FolderRefused(fmt::format("{}: choose another folder with -o", error.what()));
   }
-  if (fs::exists(folder / marker)) return;
-  if (!fs::is_empty(folder)) {
+  if (isThere(folder, marker)) return;
+  if (!isEmpty(folder)) {
     throw FolderRefused(fmt::format(
         "{} holds files that are not results of restenosisFoam (for example '{}'): choose another "
         "folder with -o, or empty this one",
@@ -140,8 +160,9 @@ bool ResultsFolder::moveFormerRun() const {
 }
 
 ResultsFolder ResultsFolder::existing(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw FolderRefused(fmt::format("there is no folder {}", folder.string()));
-  if (!fs::exists(folder / marker))
+  if (!isThere(folder) || !fs::is_directory(folder))
+    throw FolderRefused(fmt::format("there is no folder {}", folder.string()));
+  if (!isThere(folder, marker))
     throw FolderRefused(fmt::format("{} is not a results folder of restenosisFoam", folder.string()));
   return ResultsFolder(folder, acquireLock(folder));
 }

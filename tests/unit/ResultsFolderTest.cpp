@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <functional>
@@ -130,6 +131,20 @@ TEST(ResultsFolder, IsUsedByOneRunAtATime) {
     EXPECT_NE(refusal([&] { ResultsFolder::existing(folder / "quick"); }), "");
   }
   EXPECT_NO_THROW(ResultsFolder::existing(folder / "quick"));
+}
+
+TEST(ResultsFolder, SaysWhenItCannotBeRead) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  TemporaryFolder folder;
+  fs::create_directory(folder / "closed");
+  fs::permissions(folder / "closed", fs::perms::none);
+  for (const auto& name : {"closed", "closed/below"}) {
+    EXPECT_NE(refusal([&] { ResultsFolder::fresh(folder / name); }).find("choose another"),
+              std::string::npos);
+    EXPECT_NE(refusal([&] { ResultsFolder::existing(folder / name); }).find("Permission denied"),
+              std::string::npos);
+  }
+  fs::permissions(folder / "closed", fs::perms::owner_all);
 }
 
 TEST(ResultsFolder, SaysWhenItCannotBeWritten) {
