@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 
 #include "AtomicFile.h"
 #include "StateArchive.h"
@@ -79,6 +80,11 @@ void Checkpoint::save(std::string_view fingerprint, const StateWriter& state) co
   });
 }
 
+bool Checkpoint::exists() const {
+  std::error_code error;
+  return std::filesystem::exists(file(), error) || error;
+}
+
 std::string Checkpoint::load(std::string_view fingerprint) const {
   const auto refuse = [this](Reason reason, const std::string& why) -> CheckpointRefused {
     return {reason, fmt::format("checkpoint {}: {}", file().string(), why)};
@@ -94,9 +100,10 @@ std::string Checkpoint::load(std::string_view fingerprint) const {
   std::error_code error;
   const std::uint64_t fileSize = std::filesystem::file_size(file(), error);
   std::ifstream stream(file(), std::ios::binary);
-  if (error || !stream) {
+  if (!error && !stream) error.assign(errno, std::generic_category());
+  if (error) {
     throw refuse(Reason::missing, exists()
-                                      ? std::string("cannot be read: ") + std::strerror(errno)
+                                      ? "cannot be read: " + error.message()
                                       : "is not there; run without --resume to start from the beginning");
   }
   Prefix prefix{};

@@ -34,7 +34,8 @@ class Checkpoint {
   explicit Checkpoint(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   std::filesystem::path file() const { return folder_ / "state.bin"; }
-  bool exists() const { return std::filesystem::exists(file()); }
+  /// Also where the system does not tell: `load` then says why.
+  bool exists() const;
 
   /// Passes a state to an archive.
   using StateWriter = std::function<void(StreamingArchive&)>;

@@ -53,6 +53,24 @@ TEST(Checkpoint, RefusesWhatIsMissing) {
   EXPECT_EQ(refusal(Checkpoint(folder / "checkpoint"), "scene", "is not there"), Reason::missing);
 }
 
+TEST(Checkpoint, RefusesAFolderInItsPlace) {
+  TemporaryFolder folder;
+  const Checkpoint checkpoint(folder.path());
+  std::filesystem::create_directory(checkpoint.file());
+  EXPECT_EQ(refusal(checkpoint, "scene", "cannot be read: Is a directory"), Reason::missing);
+}
+
+TEST(Checkpoint, RefusesWhatMayNotBeRead) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  TemporaryFolder folder;
+  const Checkpoint checkpoint(folder / "checkpoint");
+  checkpoint.save("scene", state);
+  std::filesystem::permissions(folder / "checkpoint", std::filesystem::perms::none);
+  EXPECT_TRUE(checkpoint.exists());
+  EXPECT_EQ(refusal(checkpoint, "scene", "cannot be read: Permission denied"), Reason::missing);
+  std::filesystem::permissions(folder / "checkpoint", std::filesystem::perms::owner_all);
+}
+
 TEST(Checkpoint, RefusesEveryTruncation) {
   TemporaryFolder folder;
   const Checkpoint checkpoint(folder.path());
