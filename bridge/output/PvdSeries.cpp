@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <system_error>
 
 #include "AtomicFile.h"
+#include "ResultsFolder.h"
 #include "SecondsPerDay.h"
 
 namespace restenosis {
@@ -19,14 +20,24 @@ fs::path PvdSeries::dataFile(std::uint64_t step) const { return folder_ / relati
 
 void PvdSeries::begin() {
   createFolder(folder_ / name_);
+  const std::set<fs::path> present = ownFiles();
+  std::erase_if(entries_, [&](const Entry& entry) { return !present.contains(dataFile(entry.step)); });
   write();
   std::set<fs::path> named;
-  for (const auto& entry : entries_) named.insert(dataFile(entry.step).filename());
+  for (const auto& entry : entries_) named.insert(dataFile(entry.step));
   std::error_code error;
-  for (const auto& file : fs::directory_iterator(folder_ / name_)) {
-    const auto name = file.path().filename();
-    if (name.string().starts_with(name_ + "_") && !named.contains(name)) fs::remove(file.path(), error);
-  }
+  for (const auto& file : present)
+    if (!named.contains(file)) fs::remove(file, error);
+}
+
+std::set<fs::path> PvdSeries::ownFiles() const {
+  const fs::path folder = folder_ / name_;
+  std::error_code error;
+  std::set<fs::path> found;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().filename().string().starts_with(name_ + "_")) found.insert(entry->path());
+  if (error) throw FolderRefused(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+  return found;
 }
 
 void PvdSeries::add(std::uint64_t step, double time) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ class PvdSeries {
       : folder_(std::move(folder)), name_(std::move(name)) {}
 
   /// Creates the data folder and writes the index anew from the entries held: none in a fresh run, those of
-  /// the checkpoint after `archive`. Data files that it does not name are removed. Throws WriteFailed.
+  /// the checkpoint after `archive`, less those whose file is gone. Data files that it does not name are
+  /// removed. Throws WriteFailed, or FolderRefused where the data folder cannot be read.
   void begin();
   std::filesystem::path dataFile(std::uint64_t step) const;
   /// Adds the data file of a step at `time` [s]; the index counts in days. Throws WriteFailed.
@@ -36,6 +38,8 @@ class PvdSeries {
     double time;
   };
   std::string relativeFile(std::uint64_t step) const;
+  /// What lies in the data folder under names of this series.
+  std::set<std::filesystem::path> ownFiles() const;
   void write() const;
 
   std::filesystem::path folder_;

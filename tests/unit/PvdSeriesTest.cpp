@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "PvdSeries.h"
+#include "ResultsFolder.h"
 #include "StateArchive.h"
 #include "TemporaryFolder.h"
 
@@ -54,6 +56,32 @@ TEST(PvdSeries, IsCutBackToTheCheckpointOnResume) {
   EXPECT_FALSE(fs::exists(resumed.dataFile(48)));
   EXPECT_FALSE(fs::exists(folder / "lumen/lumen_000072.vtp.partial"));
   EXPECT_TRUE(fs::exists(folder / "lumen/notes.md"));
+}
+
+TEST(PvdSeries, LeavesOutFilesThatAreGoneOnResume) {
+  TemporaryFolder folder;
+  PvdSeries series(folder.path(), "lumen");
+  series.begin();
+  addFrame(series, 0), addFrame(series, 24);
+  fs::remove(series.dataFile(0));
+  series.begin();
+  EXPECT_EQ(series.size(), 1u);
+  const auto text = readText(series.index());
+  EXPECT_EQ(occurrences(text, "lumen_000000.vtp"), 0u);
+  EXPECT_EQ(occurrences(text, "lumen_000024.vtp"), 1u);
+}
+
+TEST(PvdSeries, RefusesADataFolderThatMayNotBeRead) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  TemporaryFolder folder;
+  PvdSeries series(folder.path(), "lumen");
+  series.begin();
+  addFrame(series, 0);
+  const auto index = readText(series.index());
+  fs::permissions(folder / "lumen", fs::perms::none);
+  EXPECT_THROW(series.begin(), FolderRefused);
+  fs::permissions(folder / "lumen", fs::perms::owner_all);
+  EXPECT_EQ(readText(series.index()), index);
 }
 
 }  // namespace
