@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "Shown.h"
 #include "Trimmed.h"
 
 namespace restenosis {
@@ -22,15 +23,6 @@ std::string_view takeWord(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find_first_of(blanks));
   text = trimmed(text.substr(word.size()), blanks);
   return word;
-}
-
-/// What a file has, fit to be shown in a message.
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result(text.substr(0, longest));
-  std::replace_if(
-      result.begin(), result.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("'{}{}'", result, text.size() > longest ? "..." : "");
 }
 
 class StlTextParser {

@@ -57,6 +57,23 @@ TEST_F(AgentTableTest, TakesWhatSpreadsheetsAndHandsWrite) {
   EXPECT_EQ(table.lines, (std::vector<std::size_t>{2, 4}));
 }
 
+TEST_F(AgentTableTest, TakesLinesThatEndWithCarriageReturns) {
+  write("x,y,z,radius,kind\r1,2,3,15,smc\r\r4,5,6,15,iel\r");
+  const AgentTable table = readAgentTable(file);
+  ASSERT_EQ(table.agents.size(), 2u);
+  EXPECT_EQ(table.agents.kind[1], AgentKind::iel);
+  EXPECT_EQ(table.lines, (std::vector<std::size_t>{2, 4}));
+}
+
+TEST_F(AgentTableTest, ShowsNoMoreOfACellThanFitsALine) {
+  const std::string longText(100000, 'a');
+  for (const std::string& text :
+       {longText + "\n", "x,y,z,radius\n1,2,3," + longText + "\n",
+        "x,y,z,radius,kind\n1,2,3,15," + longText + "\n", longText + "," + longText + "\n"})
+    EXPECT_LT(errorOf(text).size(), file.string().size() + 200);
+  EXPECT_NE(errorOf("x,y,z,\x1b[31mred\n").find("unknown column '?[31mred'"), std::string::npos);
+}
+
 TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
   const std::string header = "x,y,z,radius,kind\n";
   const std::pair<std::string, std::string> cases[] = {

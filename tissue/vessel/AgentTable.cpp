@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "Shown.h"
 #include "Trimmed.h"
 
 namespace restenosis {
@@ -53,9 +54,8 @@ class TableReader {
   AgentTable read() {
     AgentTable table{.file = file_, .agents = {}, .lines = {}};
     bool header = true;
-    for (std::string line; std::getline(stream_, line);) {
+    for (std::string_view text; nextLine(text);) {
       ++line_;
-      std::string_view text = line;
       if (line_ == 1 && text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
       text = trimmed(withoutComment(text), blanks);
       if (text.empty()) continue;
@@ -72,6 +72,23 @@ class TableReader {
   }
 
  private:
+  /// Goes to the next line; it ends with LF, CRLF, or CR alone, as old spreadsheets write it.
+  bool nextLine(std::string_view& line) {
+    if (!rest_) {
+      if (!std::getline(stream_, buffer_)) return false;
+      rest_ = buffer_;
+      if (rest_->ends_with('\r')) rest_->remove_suffix(1);
+    }
+    const auto end = rest_->find('\r');
+    line = rest_->substr(0, end);
+    if (end == std::string_view::npos) {
+      rest_.reset();
+    } else {
+      rest_->remove_prefix(end + 1);
+    }
+    return true;
+  }
+
   [[noreturn]] void fail(const std::string& message) const {
     throw AgentTableError(fmt::format("{}:{}: {}", file_.string(), line_, message));
   }
@@ -88,7 +105,7 @@ class TableReader {
         known = true;
       }
       if (!known) {
-        fail(fmt::format("unknown column '{}'; allowed are x, y, z, radius (um) and kind", names[n]));
+        fail(fmt::format("unknown column {}; allowed are x, y, z, radius (um) and kind", shown(names[n])));
       }
     }
     for (int column = 0; column < columnKind; ++column) {
@@ -118,7 +135,7 @@ class TableReader {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-      fail(fmt::format("column '{}': '{}' is not a finite number", column, cell));
+      fail(fmt::format("column '{}': {} is not a finite number", column, shown(cell)));
     }
     return value;
   }
@@ -127,11 +144,13 @@ class TableReader {
     for (const auto& [name, kind] : kinds) {
       if (cell == name) return kind;
     }
-    fail(fmt::format("unknown kind '{}'; allowed are smc, iel, eel, strut", cell));
+    fail(fmt::format("unknown kind {}; allowed are smc, iel, eel, strut", shown(cell)));
   }
 
   std::filesystem::path file_;
   std::ifstream stream_;
+  std::string buffer_;                    ///< up to a line feed
+  std::optional<std::string_view> rest_;  ///< lines of the buffer that are still to come, if any
   AgentKind defaultKind_;
   std::size_t line_ = 0, width_ = 0;
   std::array<std::optional<std::size_t>, columnCount> place_;
