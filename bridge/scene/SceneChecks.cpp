@@ -148,7 +148,9 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
          "instead";
 }
 
+/// Of lumens that are extracted; one from a file comes with its triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
+  if (!s.vessel.lumenSurface.empty()) return {};
   constexpr double roundingSlack = 1e-9;
   const double coarsest = s.vessel.lumenDiameter / 10;
   if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
@@ -184,7 +186,7 @@ const std::vector<Check>& checks() {
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
       {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
-      {{"coupling.surfaceResolution", "vessel.lumenDiameter"}, surfaceTooCoarse},
+      {{"coupling.surfaceResolution", "vessel.lumenDiameter", "vessel.lumenSurface"}, surfaceTooCoarse},
   };
   return table;
 }

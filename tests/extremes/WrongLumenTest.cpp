@@ -104,6 +104,12 @@ TEST_F(WrongLumen, NotWithTissueNorStenosis) {
   expectRefused(with(loadedScene, "\"mm\"", "\"mm\"\nstenosis = 0.5"), {"'stenosis' shapes a cylinder"});
 }
 
+TEST_F(WrongLumen, NarrowerThanTheSpacingOfOtherLumensIsNone) {
+  write(tube(0.06e-3, 0.5e-3));
+  const ProcessEnd end = run({"check", scene("loaded", loadedScene)});
+  EXPECT_EXIT_STATUS(end, 0);
+}
+
 TEST_F(WrongLumen, AGoodOneRuns) {
   write(moved(good, motionTo(Vec3(1, 2, 3), Vec3(5e-3, 0, 0))));
   const ProcessEnd end = run({"run", scene("loaded", loadedScene), "-o", "out", "--flow", "analytic"});
