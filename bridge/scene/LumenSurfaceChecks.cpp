@@ -10,6 +10,7 @@
 #include "LoadedLumen.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
+#include "SectionReader.h"
 
 namespace restenosis {
 namespace {
@@ -26,6 +27,34 @@ void blame(std::string_view section, std::string_view key, const std::string& me
 bool gives(const SceneDocument& document, const std::string& key) {
   const GivenSection* vessel = document.find(VesselParameters::section);
   return vessel != nullptr && vessel->values.contains(key);
+}
+
+/// What the schema says of a quantity.
+class QuantityInfo final : public ParameterVisitor {
+ public:
+  explicit QuantityInfo(std::string_view key) : key_(key) {}
+  ParameterInfo info;
+
+  void quantity(double&, const ParameterInfo& visited) override {
+    if (visited.key == key_) info = visited;
+  }
+  void integer(std::int64_t&, const ParameterInfo&) override {}
+  void boolean(bool&, const ParameterInfo&) override {}
+  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo&) override {}
+  void text(std::string&, const ParameterInfo&) override {}
+  void file(std::string&, const ParameterInfo&) override {}
+
+ private:
+  std::string_view key_;
+};
+
+/// Why a surface's own length cannot be the vessel's, which the scene of the results names; empty if it can.
+std::string lengthProblem(VesselParameters vessel, const Units& units) {
+  QuantityInfo length("length");
+  vessel.describe(length);
+  if (vessel.length <= units.toSi(length.info.maximum, length.info.unit)) return {};
+  return fmt::format("its ends are {:.4g} mm apart, too long for 'length'; allowed: {}",
+                     units.fromSi(vessel.length, "mm"), boundsText(length.info));
 }
 
 std::string endsOf(const TriSurface& lumen) {
@@ -65,9 +94,12 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
         fmt::format("in {} the inlet of the surface is {:.4g} mm wide, but 'lumenDiameter' is {:.4g} mm",
                     vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
                     units.fromSi(vessel.lumenDiameter, "mm")));
-  if (!gives(document, "length"))
+  if (!gives(document, "length")) {
     vessel.length =
         (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre).norm();
+    if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
+      blameVessel("lumenSurface", problem);
+  }
 
   const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
                         scene.flow->backend == flowBackendNames::none;

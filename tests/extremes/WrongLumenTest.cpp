@@ -85,6 +85,12 @@ TEST_F(WrongLumen, WrongUnit) {
   expectRefused(tenfold, {"loaded.toml:7: 'lumenSurfaceUnit' in [vessel]", "1.8 mm wide"});
 }
 
+TEST_F(WrongLumen, LongerThanAnyVessel) {
+  write(tube(vesselRadius, 1.2));
+  expectRefused(loadedScene,
+                {"loaded.toml:6: 'lumenSurface' in [vessel]", "1200 mm apart", "at most 1000 mm"});
+}
+
 TEST_F(WrongLumen, NotANumber) {
   TriSurface broken = good;
   broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
