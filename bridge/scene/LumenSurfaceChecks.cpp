@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "FlowBackendNames.h"
+#include "IgnoringVisitor.h"
 #include "LoadedLumen.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
@@ -30,7 +31,7 @@ bool gives(const SceneDocument& document, const std::string& key) {
 }
 
 /// What the schema says of a quantity.
-class QuantityInfo final : public ParameterVisitor {
+class QuantityInfo final : public IgnoringVisitor {
  public:
   explicit QuantityInfo(std::string_view key) : key_(key) {}
   ParameterInfo info;
@@ -38,11 +39,6 @@ class QuantityInfo final : public ParameterVisitor {
   void quantity(double&, const ParameterInfo& visited) override {
     if (visited.key == key_) info = visited;
   }
-  void integer(std::int64_t&, const ParameterInfo&) override {}
-  void boolean(bool&, const ParameterInfo&) override {}
-  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo&) override {}
-  void text(std::string&, const ParameterInfo&) override {}
-  void file(std::string&, const ParameterInfo&) override {}
 
  private:
   std::string_view key_;

@@ -1,20 +1,16 @@
 #include "SceneFiles.h"
 
-#include <cstdint>
 #include <string>
+
+#include "IgnoringVisitor.h"
 
 namespace restenosis {
 namespace {
 
-class FileCollector : public ParameterVisitor {
+class FileCollector : public IgnoringVisitor {
  public:
   explicit FileCollector(std::vector<std::filesystem::path>& files) : files_(files) {}
 
-  void quantity(double&, const ParameterInfo&) override {}
-  void integer(std::int64_t&, const ParameterInfo&) override {}
-  void boolean(bool&, const ParameterInfo&) override {}
-  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo&) override {}
-  void text(std::string&, const ParameterInfo&) override {}
   void file(std::string& value, const ParameterInfo&) override {
     if (!value.empty()) files_.emplace_back(value);
   }

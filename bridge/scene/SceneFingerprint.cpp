@@ -9,6 +9,7 @@
 
 #include "FileContent.h"
 #include "FlowBackendNames.h"
+#include "IgnoringVisitor.h"
 #include "StateArchive.h"
 #include "Units.h"
 
@@ -46,7 +47,7 @@ class ValueCollector : public ParameterVisitor {
 };
 
 /// The units of a section's quantities, by "section.key".
-class UnitCollector : public ParameterVisitor {
+class UnitCollector : public IgnoringVisitor {
  public:
   UnitCollector(std::string_view section, std::map<std::string, std::string>& units)
       : section_(section), units_(units) {}
@@ -54,11 +55,6 @@ class UnitCollector : public ParameterVisitor {
   void quantity(double&, const ParameterInfo& info) override {
     units_[fmt::format("{}.{}", section_, info.key)] = info.unit;
   }
-  void integer(std::int64_t&, const ParameterInfo&) override {}
-  void boolean(bool&, const ParameterInfo&) override {}
-  void choice(std::string&, const std::vector<std::string_view>&, const ParameterInfo&) override {}
-  void text(std::string&, const ParameterInfo&) override {}
-  void file(std::string&, const ParameterInfo&) override {}
 
  private:
   std::string_view section_;
