@@ -102,41 +102,29 @@ bool RelaxingAgents::wakeDisturbed() {
   beside.insert(beside.end(), left.begin(), left.end());
   relisted_.clear();
   beside = unmarkAll(std::move(beside));
-  const std::vector<Restless> restless = restlessOf(beside.size(), [&](auto& parts) {
-    forces_.evaluate(beside, [&](std::size_t k, Index j, const AgentForce& now) {
-      if (now.restlessness > wakingShare * tolerance_) parts[k / chunkSize].push_back({j, now});
-    });
+  RestlessPieces restless = piecesOf(beside.size());
+  forces_.evaluate(beside, [&](std::size_t k, Index j, const AgentForce& now) {
+    if (now.restlessness > wakingShare * tolerance_) restless[k / chunkSize].push_back({j, now});
   });
   forces_.doubt(beside);
-  wakeRestless(restless);
-  return !restless.empty();
+  return wakeRestless(std::move(restless));
 }
 
 bool RelaxingAgents::wakeAnyone() {
   // Whose force is as it was when this was last asked has been woken then, if it was to be
   const std::vector<Index> unsure = forces_.unsure(awake_);
-  const std::vector<Restless> restless = restlessOf(unsure.size(), [&](auto& parts) {
-    forces_.evaluateExactly(unsure, awake_.agents, [&](std::size_t k, Index i, const AgentForce& now) {
-      if (isAwake_[i]) {
-        motionOf(i).now = now;
-      } else if (now.restlessness > tolerance_) {
-        parts[k / chunkSize].push_back({i, now});
-      }
-    });
+  RestlessPieces restless = piecesOf(unsure.size());
+  forces_.evaluateExactly(unsure, awake_.agents, [&](std::size_t k, Index i, const AgentForce& now) {
+    if (isAwake_[i]) {
+      motionOf(i).now = now;
+    } else if (now.restlessness > tolerance_) {
+      restless[k / chunkSize].push_back({i, now});
+    }
   });
   sight_.reset();
   relisted_.clear();
-  wakeRestless(restless);
+  wakeRestless(std::move(restless));
   return sight().restlessness > tolerance_;
-}
-
-template <class Find>
-std::vector<RelaxingAgents::Restless> RelaxingAgents::restlessOf(std::size_t count, Find&& find) const {
-  std::vector<std::vector<Restless>> parts((count + chunkSize - 1) / chunkSize);
-  find(parts);
-  std::vector<Restless> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
 }
 
 template <class Look>
@@ -166,13 +154,20 @@ bool RelaxingAgents::areFew(std::size_t agents) const {
          std::max(fewAgents, static_cast<std::size_t>(fewShare * static_cast<double>(forces_.free().size())));
 }
 
-void RelaxingAgents::wakeRestless(const std::vector<Restless>& restless) {
-  if (restless.empty()) return;
-  if (!mayAnyoneSleep() || !areFew(awake_.size() + restless.size())) return wakeAllAsleep();
+bool RelaxingAgents::wakeRestless(RestlessPieces restless) {
   std::vector<Index> sleepers;
-  for (const Restless& agent : restless) sleepers.push_back(agent.agent);
+  for (const auto& piece : restless)
+    for (const Restless& agent : piece) sleepers.push_back(agent.agent);
+  if (sleepers.empty()) return false;
+  if (!mayAnyoneSleep() || !areFew(awake_.size() + sleepers.size())) {
+    restless = {};  // its memory may be much, and that of all who move comes on top
+    wakeAllAsleep();
+    return true;
+  }
   wake(sleepers);
-  for (const Restless& agent : restless) motionOf(agent.agent).now = agent.now;
+  for (const auto& piece : restless)
+    for (const Restless& agent : piece) motionOf(agent.agent).now = agent.now;
+  return true;
 }
 
 void RelaxingAgents::wakeAll() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "AgentForces.h"
+#include "Chunks.h"
 #include "Minimiser.h"
 
 namespace restenosis {
@@ -76,12 +77,13 @@ class RelaxingAgents {
     Index agent;
     AgentForce now;
   };
-  /// What pieces of agents have found, one after the other: they are passed to find(parts), parts[n] for the
-  /// n-th piece of chunkSize out of `count`.
-  template <class Find>
-  std::vector<Restless> restlessOf(std::size_t count, Find&& find) const;
-  /// Wakes them; all, if many are awake then.
-  void wakeRestless(const std::vector<Restless>& restless);
+  /// Those found among agents that were looked at, one list for each piece of chunkSize of them.
+  using RestlessPieces = std::vector<std::vector<Restless>>;
+  static RestlessPieces piecesOf(std::size_t agents) {
+    return RestlessPieces((agents + chunkSize - 1) / chunkSize);
+  }
+  /// Wakes them; all, if many are awake then. Returns whether there were any.
+  bool wakeRestless(RestlessPieces restless);
   void wakeAllAsleep();
   /// In ascending order; no force on them is known.
   void wake(std::span<const Index> sleepers);
