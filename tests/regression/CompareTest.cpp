@@ -49,6 +49,22 @@ TEST_F(Compare, TakesTheLumenOfARun) {
   const auto json = nlohmann::json::parse(readText(folder / "done/compare/compare.json"));
   EXPECT_EQ(json["scene"], "done");
   EXPECT_EQ(json["day"], 0.0);
+
+  // What a comparison that fails has found is not what the former one has
+  EXPECT_EXIT_STATUS(run({"compare", "done", "--set", "lbm.maximumSteps=50"}), 1);
+  EXPECT_FALSE(exists("done/compare/compare.json"));
+}
+
+TEST_F(Compare, DamagedResultsAreRefusedBeforeAnythingIsWritten) {
+  ASSERT_EXIT_STATUS(run({"run", scene("straight", straightTube), "-o", "done", "--flow", "analytic"}), 0);
+  writeText(folder / "done/lumen.pvd", "<DataSet timestep=\"x\" file=\"lumen/a.vtp\"/>");
+  for (const bool there : {true, false}) {
+    if (!there) std::filesystem::remove(folder / "done/lumen.pvd");
+    const auto end = run({"compare", "done"});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(toString(end).find("lumen.pvd"), std::string::npos) << toString(end);
+    EXPECT_FALSE(exists("done/compare"));
+  }
 }
 
 TEST_F(Compare, WrongInputIsNamed) {

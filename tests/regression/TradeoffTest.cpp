@@ -67,6 +67,22 @@ TEST_F(Tradeoff, RunsWhatIsAskedForOnceAndGoesOn) {
   EXPECT_EQ(summary("out/runs/scene.seed=2")["sceneFingerprint"], fingerprint);
 }
 
+TEST_F(Tradeoff, RunsAnewWhatIsDamaged) {
+  const std::vector<std::string> command = {
+      "tradeoff", scene("small", smallVessel), "-o", "out", "--vary", "scene.seed=1,2"};
+  ASSERT_EXIT_STATUS(run(command), 0);
+  const std::filesystem::path second = folder / "out/runs/scene.seed=2";
+  const std::string digest = summary("out/runs/scene.seed=2")["stateDigest"];
+  for (const char* text : {"", "[]", "null", R"({"final": 3})"}) {
+    writeText(second / "summary.json", text);
+    std::filesystem::resize_file(second / "checkpoint/state.bin", 1000);
+    const ProcessEnd end = run(command);
+    EXPECT_EXIT_STATUS(end, 0);
+    EXPECT_NE(end.err.find("run anew"), std::string::npos) << end.err;
+    EXPECT_EQ(summary("out/runs/scene.seed=2")["stateDigest"], digest);
+  }
+}
+
 TEST_F(Tradeoff, LeavesOutARunThatFails) {
   const std::string small = scene("small", smallVessel);
   const ProcessEnd end =
