@@ -44,6 +44,19 @@ TEST_F(WrongLumen, MissingFile) {
   expectRefused(loadedScene, {"loaded.toml:6: ", "lumen.stl does not exist"});
 }
 
+TEST_F(WrongLumen, AmongTheResultsThatANewRunWouldMoveAside) {
+  for (const char* file : {"old/flow/0/lumen.stl", "old/previous/flow/0/lumen.stl"}) {
+    std::filesystem::create_directories((folder / file).parent_path());
+    writeText(folder / "old/.restenosisFoam", "");
+    writeStl(folder / file, good, 1e-3);
+    const std::string loaded = scene("loaded", with(std::string(loadedScene), "lumen.stl", file));
+    const ProcessEnd end = run({"run", loaded, "-o", "old", "--flow", "none"});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find("lies among the results in old"), std::string::npos) << end.err;
+    EXPECT_TRUE(exists(file));
+  }
+}
+
 TEST_F(WrongLumen, Hole) {
   TriSurface hole = good;
   hole.triangles.erase(hole.triangles.begin() + 600), hole.region.pop_back();

@@ -58,5 +58,26 @@ TEST(WallStress, AdaptiveTakesTheRuleThatSuitsThePlace) {
   EXPECT_GT(struts, 100);
 }
 
+TEST(WallStress, LongTrianglesAreSampledInPieces) {
+  const TriSurface lumen = tube(8.0, 48.0, 1);
+  const LumenLattice lattice = makeLumenLattice(lumen, 1.0);
+  const WallStress faces(lumen, lattice, StressRule::fitted, 0.1);
+  LatticeEnds ends;
+  ends.inlet = LatticeEnds::Inlet::pressure;
+  const LatticeFlow<double> still(lattice.layout,
+                                  makeBoundary(lattice, lumen.region, WallRule::interpolated, ends), {});
+  double area = 0, low = 48, high = 0;
+  for (const WallFace& face : faces.wall(faces.nodeValues(still), 1.0)) {
+    area += face.area;
+    low = std::min(low, face.centre.z()), high = std::max(high, face.centre.z());
+  }
+  double whole = 0;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    if (lumen.region[t] == SurfaceRegion::wall) whole += lumen.areaVector(t).norm();
+  EXPECT_NEAR(area / whole, 1, 1e-12);
+  EXPECT_LT(low, 2.5) << "a triangle's centre is 16 spacings from its ends";
+  EXPECT_GT(high, 45.5);
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -30,7 +30,7 @@ class WallStress {
   /// @param viscosity kinematic, in lattice units
   WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule, double viscosity);
 
-  /// Number of faces of wall and struts, in the order of the surface's triangles.
+  /// Number of faces of wall and struts: the surface's triangles in their order, long ones in pieces.
   std::size_t faces() const { return faces_.size(); }
   /// Faces without any node near them, in crevices narrower than the spacing; their traction is zero.
   std::size_t bareFaces() const { return bare_; }
