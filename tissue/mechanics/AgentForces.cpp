@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -38,18 +37,8 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
                                           agents.id[bad.agent], agents.radius[bad.agent]));
 }
 
-// Of a distance: farther apart no rounding can make a pair act.
-constexpr double beyondRounding = 1 + 1e-6;
-
 // Of what is added to a leash and of what is taken off it: single precision errs by less.
 constexpr double shorter = 1 - 1e-5, longer = 1 + 1e-5;
-
-/// Lets `values` hold `count` elements, the new ones `value`.
-template <class T>
-void lengthen(std::vector<T>& values, std::size_t count, const T& value) {
-  makeRoom(values, count);
-  values.resize(count, value);
-}
 
 }  // namespace
 
@@ -62,7 +51,9 @@ AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
       field_(field),
       neighbours_(neighbours),
       settings_(settings),
-      range_(field.range(settings.skin)) {
+      range_(field.range(settings.skin)),
+      spheres_(agents, bonds, settings.scale),
+      unsure_(agents, bonds, neighbours, spheres_, range_) {
   requireSound(agents_, bonds_);
   start();
 }
@@ -70,14 +61,9 @@ AgentForces::AgentForces(AgentStore& agents, const BondTable& bonds,
 void AgentForces::start() {
   const std::size_t count = agents_.size();
   residual_.assign(count, 0);
-  unsure_.assign(count, 1);
-  moving_.clear();
-  isMoving_.assign(count, 0);
+  unsure_.start(count);
   free_ = agentsThat(count, [this](Index i) { return isFree(i); });
-  scale_ = settings_.scale;
-  if (scale_ && !agentsThat(count, [this](Index i) { return !fits(i); }).empty()) scale_.reset();
-  // Without mixed precision although it was asked for, everything is looked at again the next time.
-  outgrown_ = scale_.has_value() != settings_.scale.has_value();
+  spheres_.choosePrecision();
   project();
   neighbours_.update(agents_, range_);
   buildPairs();
@@ -85,96 +71,41 @@ void AgentForces::start() {
 
 void AgentForces::refresh() {
   requireSound(agents_, bonds_);
-  if (outgrown_ || !neighbours_.sameAgents(agents_)) return start();
+  if (spheres_.outgrown() || !neighbours_.sameAgents(agents_)) return start();
   project();
   const Index known = neighbours_.size();
   const std::size_t count = agents_.size();
-  lengthen(residual_, count, 0.0);
-  lengthen(unsure_, count, std::uint8_t{1});
-  lengthen(isMoving_, count, std::uint8_t{0});
+  makeRoom(residual_, count);
+  residual_.resize(count, 0);
+  unsure_.append(count);
 
-  std::vector<Index> others = agentsThat(known, [this](Index i) { return changed(i); });
-  doubtAround(others);
+  std::vector<Index> others = agentsThat(known, [this](Index i) { return spheres_.changed(i); });
+  unsure_.markAround(others);
   for (Index i = known; i < count; ++i) {
     others.push_back(i);
     if (isFree(i)) free_.push_back(i);
   }
-  if (scale_ && !allFit(others)) return start();
+  if (!spheres_.fit(others)) return start();
 
   const NeighbourList::Change change = neighbours_.update(agents_, range_);
   if (change.all || count > pairs_.nobody()) {
     buildPairs();
-    if (change.all) std::ranges::fill(unsure_, 1);
+    if (change.all) unsure_.mark();
   } else {
-    for (const Index i : others) take(i);
+    for (const Index i : others) spheres_.copy(i);
     pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
   }
-  doubtAround(others);
-  for (const Index i : moving_) isMoving_[i] = 0;
-  moving_.clear();
+  unsure_.markAround(others);
+  unsure_.stopMoving();
 }
 
 bool AgentForces::isFree(Index i) const {
   return !agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
 }
 
-bool AgentForces::fits(Index i) const {
-  const double within = scale_->reach() / 4;
-  return agents_.radius[i] <= within && std::ranges::all_of(bonds_.of(i), [&](const Bond& bond) {
-           return (agents_.position(i) - agents_.position(bond.partner)).squaredNorm() <= within * within;
-         });
-}
-
-bool AgentForces::allFit(std::span<const Index> agents) const {
-  return agentsOf(agents, [this](Index i) { return !fits(i); }).empty();
-}
-
-bool AgentForces::changed(Index i) const {
-  const Sphere& s = spheres_[i];
-  return s.x != agents_.x[i] || s.y != agents_.y[i] || s.z != agents_.z[i] || s.r != agents_.radius[i];
-}
-
-void AgentForces::take(Index i) {
-  spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
-  if (scale_) fixed_[i] = scale_->of(agents_.position(i), agents_.radius[i]);
-}
-
-void AgentForces::packAll() {
-  spheres_ = packSpheres(agents_, pairs_.nobody());
-  if (scale_) fixed_ = packSpheres(agents_, pairs_.nobody(), *scale_);
-}
-
 void AgentForces::buildPairs() {
   pairs_.build(neighbours_, bonds_, agents_.flags, marksDaughters());
-  packAll();
-}
-
-bool AgentForces::mayAct(Index i, const Vec3& position, double radius, Index j) const {
-  const double sum = radius + std::max(spheres_[j].r, agents_.radius[j]);
-  const bool daughter = ((agents_.flags[i] | agents_.flags[j]) & AgentFlag::daughter) != 0;
-  const double reach = beyondRounding * (daughter ? range_.daughterFactor : range_.factor) * sum;
-  return (position - agents_.position(j)).squaredNorm() < reach * reach;
-}
-
-bool AgentForces::mayHaveActed(Index i, Index j) const {
-  // Without mixed precision it is not known where the agent was.
-  const Sphere& before = spheres_[i];
-  return !scale_ || mayAct(i, Vec3(before.x, before.y, before.z), before.r, j) ||
-         mayAct(i, agents_.position(i), agents_.radius[i], j);
-}
-
-void AgentForces::doubtAround(std::span<const Index> agents) {
-  forEachInChunks(agents.size(), [&](std::size_t k) {
-    const Index i = agents[k];
-    const auto doubtOne = [this](Index j) {
-      std::atomic_ref(unsure_[j]).store(1, std::memory_order_relaxed);
-    };
-    doubtOne(i);
-    for (const Index j : neighbours_.of(i)) {
-      if (mayHaveActed(i, j)) doubtOne(j);
-    }
-    for (const Bond& bond : bonds_.of(i)) doubtOne(bond.partner);
-  });
+  spheres_.packAll(pairs_.nobody());
 }
 
 void AgentForces::project() {
@@ -208,11 +139,7 @@ bool AgentForces::moveTo(Index i, AgentMotion& agent, const Vec3& position) {
   for (const Constraint* constraint : constraints_) constraint->project(agent.kind, agent.radius, place);
   agent.leash -= static_cast<float>(longer * (place - agent.position).norm());
   agent.position = place;
-  if (scale_) {
-    fixed_[i] = scale_->of(place, agent.radius);
-  } else {
-    spheres_[i] = {place.x(), place.y(), place.z(), agent.radius};
-  }
+  spheres_.moveTo(i, place, agent.radius);
   if (agent.leash >= 0) return false;
   agent.leash = leashOf(i, place);
   return !(agent.leash >= 0);
@@ -236,24 +163,13 @@ void AgentForces::updateLists(MovingAgents& moving, std::vector<Index>& relisted
   const NeighbourList::Change change = neighbours_.update(agents_, moved);
   if (change.all) {
     buildPairs();
-    std::ranges::fill(unsure_, 1);
+    unsure_.mark();
     relisted = free_;
   } else {
     pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
-    doubt(change.agents);
+    unsure_.mark(change.agents);
     relisted.insert(relisted.end(), change.agents.begin(), change.agents.end());
   }
-}
-
-void AgentForces::startMoving(std::span<const Index> agents) {
-  for (const Index i : agents) {
-    if (!isMoving_[i]) moving_.push_back(i);
-    isMoving_[i] = 1;
-  }
-}
-
-void AgentForces::doubt(std::span<const Index> agents) {
-  for (const Index i : agents) unsure_[i] = 1;
 }
 
 AgentForce AgentForces::forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
@@ -266,15 +182,6 @@ AgentForce AgentForces::forceOn(const AgentLoad& load, AgentKind kind, bool daug
     on.restlessness *= std::max(1.0, settings_.firm / held);
   }
   return on;
-}
-
-template <class F>
-void AgentForces::withSpheres(F&& f) const {
-  if (scale_) {
-    f(FixedSpheres(fixed_, scale_->unit()));
-  } else {
-    f(ExactSpheres(spheres_));
-  }
 }
 
 template <class Spheres, class Set, class Seen>
@@ -315,11 +222,11 @@ void AgentForces::evaluate(MovingAgents& moving, const Look& look) {
     AgentMotion& agent = moving.motion[k];
     return agent.now = forceOn(load, agent.kind, agent.daughter, agent.radius, agent.position);
   };
-  withSpheres([&](const auto& spheres) { evaluate(spheres, moving.agents, set, look); });
+  spheres_.withPresent([&](const auto& spheres) { evaluate(spheres, moving.agents, set, look); });
 }
 
 void AgentForces::evaluate(std::span<const Index> resting, const Take& take) {
-  withSpheres([&](const auto& spheres) { evaluateResting(spheres, resting, take); });
+  spheres_.withPresent([&](const auto& spheres) { evaluateResting(spheres, resting, take); });
 }
 
 void AgentForces::placeAll(const MovingAgents& moving) {
@@ -328,22 +235,20 @@ void AgentForces::placeAll(const MovingAgents& moving) {
 
 std::vector<Index> AgentForces::unsure(const MovingAgents& moving) {
   placeAll(moving);
-  doubtAround(moving_);
-  for (const Index i : moving_) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
-  outgrown_ = outgrown_ || (scale_ && !allFit(moving_));
-  return agentsOf(free_, [this](Index i) { return unsure_[i] != 0; });
+  unsure_.markAroundMoving();
+  spheres_.remember(unsure_.moving());
+  return agentsOf(free_, [this](Index i) { return unsure_.marked(i); });
 }
 
 void AgentForces::evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving,
                                   const Take& take) {
-  evaluateResting(ExactSpheres(spheres_), unsure, [&](std::size_t k, Index i, const AgentForce& on) {
+  evaluateResting(spheres_.exact(), unsure, [&](std::size_t k, Index i, const AgentForce& on) {
     residual_[i] = on.force.norm();
     take(k, i, on);
   });
-  std::ranges::fill(unsure_, 0);
-  for (const Index i : moving_) isMoving_[i] = 0;
-  moving_.clear();
-  startMoving(moving);
+  unsure_.know();
+  unsure_.stopMoving();
+  unsure_.startMoving(moving);
 }
 
 }  // namespace restenosis

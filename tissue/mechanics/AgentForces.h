@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "AgentMotion.h"
+#include "AgentSpheres.h"
 #include "AgentStore.h"
 #include "BondTable.h"
 #include "Constraint.h"
 #include "ForceField.h"
 #include "NeighbourList.h"
+#include "UnsureForces.h"
 
 namespace restenosis {
 
@@ -61,7 +63,7 @@ class AgentForces {
   /// Agent i of the store as one that moves, at rest; no force is known.
   AgentMotion motionOf(Index i) const;
   /// These agents move from now on, until evaluateExactly() names others.
-  void startMoving(std::span<const Index> agents);
+  void startMoving(std::span<const Index> agents) { unsure_.startMoving(agents); }
   /// Moves `agent`, which is agent i and was named to startMoving, to the nearest place its constraints
   /// allow. Returns whether the lists must be updated. May be called from several threads, for different
   /// agents.
@@ -82,7 +84,7 @@ class AgentForces {
   /// `take` is called from several threads, by one for each piece of chunkSize agents and in their order.
   void evaluate(std::span<const Index> resting, const Take& take);
   /// The forces on these agents have been computed in mixed precision; evaluateExactly() is to do them again.
-  void doubt(std::span<const Index> agents);
+  void doubt(std::span<const Index> agents) { unsure_.mark(agents); }
   /// Tells the store where the agents that move are, and returns whose forces may have changed since
   /// evaluateExactly() computed them, in ascending order.
   std::vector<Index> unsure(const MovingAgents& moving);
@@ -95,22 +97,6 @@ class AgentForces {
   void start();
   /// Puts every free agent where its constraints allow.
   void project();
-  /// Whether agent i is within what mixed precision can express.
-  bool fits(Index i) const;
-  bool allFit(std::span<const Index> agents) const;
-  /// Whether agent i is not where and as large as its copy.
-  bool changed(Index i) const;
-  /// Makes the copy agent i.
-  void take(Index i);
-  /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
-  bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
-  /// Whether agent i may act on agent j, which has not moved, or acted on it at the time of
-  /// evaluateExactly().
-  bool mayHaveActed(Index i, Index j) const;
-  /// The forces on these agents and on those they act on or acted on at the time of evaluateExactly() are
-  /// unsure.
-  void doubtAround(std::span<const Index> agents);
-  void packAll();
   void buildPairs();
   bool marksDaughters() const { return range_.daughterFactor > range_.factor; }
   void placeAll(const MovingAgents& moving);
@@ -118,9 +104,6 @@ class AgentForces {
   float leashOf(Index i, const Vec3& position) const;
   AgentForce forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
                      const Vec3& position) const;
-  /// Calls f with the spheres of the precision on the way.
-  template <class F>
-  void withSpheres(F&& f) const;
   /// Lets set(k, load) make of each load the force on the k-th agent, then calls look(begin, end).
   template <class Spheres, class Set, class Seen>
   void evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set, const Seen& look);
@@ -135,17 +118,11 @@ class AgentForces {
   Settings settings_;
   NeighbourRange range_;
 
-  std::optional<FixedScale> scale_;  ///< settings_.scale unless an agent does not fit
-  bool outgrown_ = false;            ///< an agent did not fit when it was last looked at
+  AgentSpheres spheres_;
+  UnsureForces unsure_;  ///< since evaluateExactly()
   PairTable pairs_;
-  std::vector<FixedSphere> fixed_;  ///< in mixed precision only
-  std::vector<Sphere> spheres_;     ///< in mixed precision of the time of evaluateExactly()
-  std::vector<double> residual_;    ///< of the time of evaluateExactly() [N]
+  std::vector<double> residual_;  ///< of the time of evaluateExactly() [N]
   std::vector<Index> free_;
-  std::vector<Index> moving_;  ///< since the last exact evaluation, in no particular order
-  std::vector<std::uint8_t> isMoving_;
-  /// Whose force may have changed since, beside those of and next to moving_.
-  std::vector<std::uint8_t> unsure_;
   std::uint64_t evaluations_ = 0;
 };
 

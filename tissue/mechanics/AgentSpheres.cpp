@@ -1,0 +1,46 @@
+#include "AgentSpheres.h"
+
+#include <algorithm>
+
+#include "Chunks.h"
+
+namespace restenosis {
+
+void AgentSpheres::choosePrecision() {
+  scale_ = wanted_;
+  if (scale_ && !agentsThat(agents_.size(), [this](Index i) { return !fits(i); }).empty()) scale_.reset();
+  outgrown_ = scale_.has_value() != wanted_.has_value();
+}
+
+bool AgentSpheres::fits(Index i) const {
+  const double within = scale_->reach() / 4;
+  return agents_.radius[i] <= within && std::ranges::all_of(bonds_.of(i), [&](const Bond& bond) {
+           return (agents_.position(i) - agents_.position(bond.partner)).squaredNorm() <= within * within;
+         });
+}
+
+bool AgentSpheres::fit(std::span<const Index> agents) const {
+  return !scale_ || agentsOf(agents, [this](Index i) { return !fits(i); }).empty();
+}
+
+void AgentSpheres::packAll(Index nobody) {
+  spheres_ = packSpheres(agents_, nobody);
+  if (scale_) fixed_ = packSpheres(agents_, nobody, *scale_);
+}
+
+void AgentSpheres::copy(Index i) {
+  spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  if (scale_) fixed_[i] = scale_->of(agents_.position(i), agents_.radius[i]);
+}
+
+bool AgentSpheres::changed(Index i) const {
+  const Sphere& s = spheres_[i];
+  return s.x != agents_.x[i] || s.y != agents_.y[i] || s.z != agents_.z[i] || s.r != agents_.radius[i];
+}
+
+void AgentSpheres::remember(std::span<const Index> moved) {
+  for (const Index i : moved) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  outgrown_ = outgrown_ || !fit(moved);
+}
+
+}  // namespace restenosis
