@@ -1,3 +1,5 @@
+#include <vtkObject.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -18,6 +20,7 @@ int main(int argc, char** argv) {
   using namespace restenosis;
   letWaitingThreadsSleep(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the system allows fails to be written, and is named
+  vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words
   returnLargeArrays();
 
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};

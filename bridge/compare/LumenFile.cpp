@@ -7,13 +7,14 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -62,13 +63,10 @@ void addCaps(TriSurface& tube, const std::filesystem::path& file) {
     throw std::runtime_error(fmt::format("{}: the lumen has not two open ends", file.string()));
 }
 
-/// The value of name="value" in an element of XML; empty where there is none.
-std::string_view attribute(std::string_view element, std::string_view name) {
-  const std::string key = fmt::format(" {}=\"", name);
-  const auto at = element.find(key);
-  if (at == std::string_view::npos) return {};
-  const auto begin = at + key.size();
-  return element.substr(begin, element.find('"', begin) - begin);
+/// What the attribute says; empty where there is none.
+std::string_view attribute(vtkXMLDataElement& element, const char* name) {
+  const char* const text = element.GetAttribute(name);
+  return text == nullptr ? std::string_view() : text;
 }
 
 std::optional<double> numberIn(std::string_view text) {
@@ -82,18 +80,21 @@ std::optional<double> numberIn(std::string_view text) {
 
 std::vector<RecordedLumen> recordedLumens(const std::filesystem::path& results) {
   const auto index = results / "lumen.pvd";
-  std::ifstream stream(index);
-  if (!stream)
+  if (!std::filesystem::exists(index))
     throw std::runtime_error(fmt::format("{} is missing: no lumen has been recorded", index.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto damaged = [&](std::string_view how) {
+    return std::runtime_error(fmt::format("{} is damaged: {}", index.string(), how));
+  };
+  const auto root =
+      vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(index.c_str()));
+  vtkXMLDataElement* const collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (collection == nullptr) throw damaged("it holds no collection of files");
   std::vector<RecordedLumen> lumens;
-  constexpr std::string_view tag = "<DataSet ";
-  for (auto at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
-    const std::string_view element = std::string_view(text).substr(at, text.find('>', at) - at);
+  for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
+    vtkXMLDataElement& element = *collection->GetNestedElement(k);
     const auto day = numberIn(attribute(element, "timestep"));
     const std::string_view file = attribute(element, "file");
-    if (!day || file.empty())
-      throw std::runtime_error(fmt::format("{} is damaged: an entry has no day or no file", index.string()));
+    if (!day || file.empty()) throw damaged("an entry has no day or no file");
     lumens.push_back({*day, results / file});
   }
   if (lumens.empty()) throw std::runtime_error(fmt::format("{} names no lumen yet", index.string()));
