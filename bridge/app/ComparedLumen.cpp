@@ -8,6 +8,7 @@
 #include "LoadedLumen.h"
 #include "LumenFile.h"
 #include "LumenFrame.h"
+#include "LumenShape.h"
 #include "Progress.h"
 #include "Run.h"
 #include "SceneWriter.h"
@@ -15,6 +16,20 @@
 #include "Units.h"
 
 namespace restenosis {
+
+namespace {
+
+/// The lumen moved so that it lies along z. Throws LumenRefused where it bends.
+TriSurface laidAlongZ(const TriSurface& lumen, const std::filesystem::path& file) {
+  const auto frame = frameAlongZ(lumen);
+  if (!frame)
+    throw LumenRefused(
+        fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
+                    file.string()));
+  return movedAlongZ(lumen, *frame);
+}
+
+}  // namespace
 
 ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
                             const std::atomic<bool>* stopRequested) {
@@ -36,13 +51,7 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 }
 
 ComparedLumen loadedLumen(const Scene& scene) {
-  const TriSurface lumen = loadLumen(scene.vessel);
-  const auto frame = frameAlongZ(lumen);
-  if (!frame)
-    throw LumenRefused(
-        fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
-                    scene.vessel.lumenSurface));
-  return {movedAlongZ(lumen, *frame), 0.0};
+  return {laidAlongZ(loadLumen(scene.vessel), scene.vessel.lumenSurface), 0.0};
 }
 
 std::vector<Vec3> strutMiddles(const Scene& scene) {
@@ -62,7 +71,10 @@ ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<
   try {
     const auto lumens = recordedLumens(results);
     const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
-    return {readLumen(chosen.file), chosen.day};
+    const TriSurface lumen = readLumen(chosen.file);
+    return {liesAlongZ(lumen) ? lumen : laidAlongZ(lumen, chosen.file), chosen.day};
+  } catch (const LumenRefused&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw LumenRefused(error.what());
   }

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -24,6 +25,10 @@
 namespace restenosis {
 namespace {
 
+/// An end's vertices keep to their plane to this share of its radius: far more than what rounding to single
+/// precision moves them by, unless the lumen lies very far from the origin.
+constexpr double flatness = 1e-3;
+
 /// The rims of the tube.
 std::vector<std::vector<std::uint32_t>> rimsOf(const TriSurface& tube, const std::filesystem::path& file) {
   const SurfaceEdges edges = surfaceEdges(tube);
@@ -36,31 +41,78 @@ std::vector<std::vector<std::uint32_t>> rimsOf(const TriSurface& tube, const std
   }
 }
 
-/// Closes every rim by a fan about its centre.
-void addCaps(TriSurface& tube, const std::filesystem::path& file) {
-  double low = tube.vertices.front().z(), high = low;
-  for (const Vec3& v : tube.vertices) low = std::min(low, v.z()), high = std::max(high, v.z());
-  bool inlet = false, outlet = false;
-  for (const auto& rim : rimsOf(tube, file)) {
-    Vec3 centre = Vec3::Zero();
-    for (const auto v : rim) centre += tube.vertices[v] / static_cast<double>(rim.size());
-    const bool atInlet = centre.z() < 0.5 * (low + high);
-    const double plane = atInlet ? low : high;
-    for (const auto v : rim)
-      if (tube.vertices[v].z() != plane)
-        throw std::runtime_error(
-            fmt::format("{}: the lumen has a hole at z = {:.4g} mm", file.string(), 1e3 * centre.z()));
-    centre.z() = plane;
-    (atInlet ? inlet : outlet) = true;
-    const auto middle = static_cast<std::uint32_t>(tube.vertices.size());
-    tube.vertices.push_back(centre);
-    for (std::size_t k = 0; k < rim.size(); ++k) {
-      tube.triangles.push_back({rim[(k + 1) % rim.size()], rim[k], middle});
-      tube.region.push_back(atInlet ? SurfaceRegion::inlet : SurfaceRegion::outlet);
+using Rim = std::vector<std::uint32_t>;
+
+/// The centres of a lumen's ends [m].
+struct EndCentres {
+  Vec3 inlet, outlet;
+};
+
+/// As writeLumen has noted them; of a file of a former version, which did not, the inlet is the lower end.
+EndCentres endCentres(vtkPolyData& data, const std::vector<FittedPlane>& planes) {
+  vtkDataArray* const inlet = data.GetFieldData()->GetArray("inletCentre");
+  vtkDataArray* const outlet = data.GetFieldData()->GetArray("outletCentre");
+  const auto isPlace = [](vtkDataArray* array) {
+    return array != nullptr && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == 3;
+  };
+  EndCentres ends;
+  if (isPlace(inlet) && isPlace(outlet)) {
+    inlet->GetTuple(0, ends.inlet.data());
+    outlet->GetTuple(0, ends.outlet.data());
+    return ends;
+  }
+  const auto height = [](const FittedPlane& plane) { return plane.centre.z(); };
+  const auto [low, high] = std::ranges::minmax_element(planes, {}, height);
+  return {low->centre, high->centre};
+}
+
+/// Closes a rim by a fan about its centre. Coordinates in a file are rounded, so the rim is moved into its
+/// plane, unless that is one of constant z, which rounding leaves one.
+void addCap(TriSurface& tube, const Rim& rim, const FittedPlane& plane, SurfaceRegion end) {
+  const double z = tube.vertices[rim.front()].z();
+  Vec3 centre = plane.centre;
+  if (std::ranges::all_of(rim, [&](auto v) { return tube.vertices[v].z() == z; })) {
+    centre.z() = z;
+  } else {
+    for (const auto v : rim) {
+      Vec3& vertex = tube.vertices[v];
+      vertex -= plane.normal.dot(vertex - plane.centre) * plane.normal;
     }
   }
-  if (!inlet || !outlet)
-    throw std::runtime_error(fmt::format("{}: the lumen has not two open ends", file.string()));
+  const auto middle = static_cast<std::uint32_t>(tube.vertices.size());
+  tube.vertices.push_back(centre);
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    tube.triangles.push_back({rim[(k + 1) % rim.size()], rim[k], middle});
+    tube.region.push_back(end);
+  }
+}
+
+/// Closes both ends of the tube that was read from `data`.
+void addCaps(TriSurface& tube, vtkPolyData& data, const std::filesystem::path& file) {
+  const std::vector<Rim> rims = rimsOf(tube, file);
+  const auto refuse = [&](std::string_view what) {
+    return std::runtime_error(fmt::format("{}: the lumen {}", file.string(), what));
+  };
+  if (rims.size() < 2) throw refuse("has not two open ends");
+  std::vector<FittedPlane> planes;
+  for (const Rim& rim : rims) planes.push_back(fitPlane(tube, rim));
+  const EndCentres ends = endCentres(data, planes);
+  const auto nearest = [&](const Vec3& place) {
+    const auto distance = [&](const FittedPlane& plane) { return (plane.centre - place).squaredNorm(); };
+    return static_cast<std::size_t>(std::ranges::min_element(planes, {}, distance) - planes.begin());
+  };
+  const std::size_t inlet = nearest(ends.inlet), outlet = nearest(ends.outlet);
+  if (inlet == outlet) throw refuse("has not two open ends");
+  for (std::size_t k = 0; k < rims.size(); ++k) {
+    const Vec3 place = 1e3 * planes[k].centre;
+    if (k != inlet && k != outlet)
+      throw refuse(fmt::format("has a hole at ({:.4g}, {:.4g}, {:.4g}) mm", place.x(), place.y(), place.z()));
+    const double width = (tube.vertices[rims[k].front()] - planes[k].centre).norm();
+    if (!(planes[k].departure <= flatness * width))
+      throw refuse(fmt::format("has no planar {}", k == inlet ? "inlet" : "outlet"));
+  }
+  addCap(tube, rims[inlet], planes[inlet], SurfaceRegion::inlet);
+  addCap(tube, rims[outlet], planes[outlet], SurfaceRegion::outlet);
 }
 
 /// What the attribute says; empty where there is none.
@@ -136,7 +188,7 @@ TriSurface readLumen(const std::filesystem::path& file) {
     tube.triangles.push_back({corner(0), corner(1), corner(2)});
     tube.region.push_back(region->GetComponent(t, 0) == 1.0 ? SurfaceRegion::strut : SurfaceRegion::wall);
   }
-  addCaps(tube, file);
+  addCaps(tube, data, file);
   return tube;
 }
 

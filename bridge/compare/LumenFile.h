@@ -21,7 +21,8 @@ std::vector<RecordedLumen> recordedLumens(const std::filesystem::path& results);
 const RecordedLumen& lumenOfDay(const std::vector<RecordedLumen>& lumens, double day);
 
 /// Reads a lumen that writeLumen has written, the open tube of wall and struts, and closes its ends with
-/// planar caps, the inlet at the lower z. Throws std::runtime_error where the file cannot be read or its rims
+/// planar caps: inlet and outlet where the file says they are; of a file of a former version, which does not,
+/// the inlet is the end at the lower z. Throws std::runtime_error where the file cannot be read or its rims
 /// are not the ends of a tube.
 TriSurface readLumen(const std::filesystem::path& file);
 

@@ -2,6 +2,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -44,6 +46,24 @@ std::vector<Vec3> nearestTractions(const TriSurface& lumen, const std::vector<st
   return tractions;
 }
 
+/// Notes the centre of an end, if there is one.
+void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, SurfaceRegion end) {
+  double area = 0.0;
+  Vec3 centre = Vec3::Zero();
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
+    if (lumen.region[t] != end) continue;
+    const double weight = lumen.areaVector(t).norm();
+    area += weight;
+    centre += weight * lumen.centre(t);
+  }
+  if (!(area > 0.0)) return;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple(Vec3(centre / area).data());
+  data.GetFieldData()->AddArray(array);
+}
+
 /// The triangles listed and the vertices they use, renumbered.
 vtkNew<vtkPolyData> tube(const TriSurface& lumen, const std::vector<std::size_t>& triangles) {
   constexpr vtkIdType unused = -1;
@@ -83,6 +103,8 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
                             const double* point = data->GetPoint(static_cast<vtkIdType>(p));
                             return std::hypot(point[0], point[1]);
                           });
+  addCentre(*data, "inletCentre", lumen, SurfaceRegion::inlet);
+  addCentre(*data, "outletCentre", lumen, SurfaceRegion::outlet);
   writePolyData(file, data, time);
 }
 

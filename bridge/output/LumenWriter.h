@@ -9,7 +9,8 @@ namespace restenosis {
 
 /// Writes the lumen's wall and struts (the open tube: the ends would hide its inside) [m] with the arrays
 /// region (0 wall, 1 strut), WSS (magnitude) and traction (vector) [Pa] on its triangles, and lumenRadius
-/// (distance from the vessel's axis) [m] on its points.
+/// (distance from the vessel's axis) [m] on its points. The field data inletCentre and outletCentre [m] say
+/// where the ends are that it has.
 ///
 /// A triangle carries the traction of the flow's nearest face of its region (of the other one where the flow
 /// has none), whatever the flow's own faces are; NaN, that is "not known", when `flow` is null or has no

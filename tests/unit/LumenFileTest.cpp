@@ -5,6 +5,7 @@
 #include "Constants.h"
 #include "FlowSupport.h"
 #include "LumenFile.h"
+#include "LumenFrame.h"
 #include "LumenShape.h"
 #include "LumenWriter.h"
 #include "PvdSeries.h"
@@ -28,6 +29,35 @@ TEST(LumenFile, aWrittenLumenIsReadBackClosed) {
             std::ranges::count(lumen.region, SurfaceRegion::strut));
   EXPECT_NEAR(lumenEnd(read, SurfaceRegion::inlet).z, 0.0, 1e-12);
   EXPECT_NEAR(lumenEnd(read, SurfaceRegion::outlet).z, vesselLength, 1e-9);
+}
+
+TEST(LumenFile, theInletIsTheOneWrittenEvenWhereItIsTheUpperEnd) {
+  const TemporaryFolder folder;
+  TriSurface lumen = tube(vesselRadius, vesselLength);
+  for (SurfaceRegion& region : lumen.region) {
+    if (region == SurfaceRegion::inlet)
+      region = SurfaceRegion::outlet;
+    else if (region == SurfaceRegion::outlet)
+      region = SurfaceRegion::inlet;
+  }
+  writeLumen(folder / "lumen.vtp", lumen, nullptr, 0.0);
+  const TriSurface read = readLumen(folder / "lumen.vtp");
+  EXPECT_NEAR(lumenEnd(read, SurfaceRegion::inlet).z, vesselLength, 1e-9);
+  EXPECT_NEAR(lumenEnd(read, SurfaceRegion::outlet).z, 0.0, 1e-12);
+}
+
+TEST(LumenFile, aLumenInAnyDirectionIsReadBackClosed) {
+  const TemporaryFolder folder;
+  TriSurface lumen = tube(vesselRadius, vesselLength);
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, -1).normalized());
+  for (Vec3& vertex : lumen.vertices) vertex = turn * vertex + Vec3(0.01, -0.3, 0.2);
+  writeLumen(folder / "lumen.vtp", lumen, nullptr, 0.0);
+  const TriSurface read = readLumen(folder / "lumen.vtp");
+  EXPECT_NO_THROW(requireLumenWithPlanarEnds(read));
+  EXPECT_NEAR(enclosedVolume(read) / enclosedVolume(lumen), 1.0, 1e-4);
+  const auto frame = frameAlongZ(read);
+  ASSERT_TRUE(frame);
+  EXPECT_NEAR(lumenEnd(movedAlongZ(read, *frame), SurfaceRegion::outlet).z, vesselLength, 1e-7);
 }
 
 TEST(LumenFile, theLumenOfADayIsTheNearest) {
@@ -113,7 +143,7 @@ TEST(LumenFile, saysWhatIsWrongWithALumen) {
     holed.triangles.erase(holed.triangles.begin() + t);
     holed.region.erase(holed.region.begin() + t);
   }
-  EXPECT_NE(refusalOf(holed).find("the lumen has a hole at z = "), std::string::npos) << refusalOf(holed);
+  EXPECT_NE(refusalOf(holed).find("the lumen has a hole at ("), std::string::npos) << refusalOf(holed);
   TriSurface turned = whole;
   std::swap(turned.triangles[900][0], turned.triangles[900][1]);
   EXPECT_NE(refusalOf(turned).find("face opposite ways"), std::string::npos) << refusalOf(turned);
