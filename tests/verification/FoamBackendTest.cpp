@@ -53,6 +53,24 @@ TEST(FoamBackend, ellipticDuctTurnedAboutItsAxis) {
   EXPECT_LT(e.velocity, 0.01);
 }
 
+/// In a tube that widens blood slows down and regains pressure (Bernoulli), more than friction takes.
+TEST(FoamBackend, pressureRisesInADiffuser) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  const double narrow = 0.6 * vesselRadius, length = 3e-3;
+  std::vector<ProfilePoint> profile;
+  for (int i = 0; i <= 30; ++i)
+    profile.push_back({narrow + (vesselRadius - narrow) * i / 30, length * i / 30});
+  FoamBackend backend(FoamSettings::forFidelity("draft"));
+  const FlowConditions conditions = vesselConditions();
+  const auto s = backend.solve(revolve(profile), conditions, scratch.path() / "case");
+  const double velocity = conditions.flowRate / (std::numbers::pi * narrow * narrow);
+  const double brought = conditions.density * velocity * velocity;
+  EXPECT_LT(s.pressureDrop, -0.05 * brought);
+  EXPECT_GT(s.pressureDrop, -brought);
+  EXPECT_TRUE(s.remarks.empty());
+}
+
 TEST(FoamBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const TemporaryFolder scratch;
