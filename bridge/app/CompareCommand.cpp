@@ -170,7 +170,7 @@ int tryCompare(const CompareArguments& arguments) {
         std::optional<ComparedLumen> given;  // refused before anything is written
         if (arguments.ofResults()) {
           given = finishedLumen(arguments.scene.file, arguments.day);
-        } else if (!scene->vessel.lumenSurface.empty()) {
+        } else if (scene->hasLoadedLumen()) {
           given = loadedLumen(*scene);
         }
         return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(given));

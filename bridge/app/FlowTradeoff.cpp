@@ -66,10 +66,9 @@ bool askTheSame(std::string_view backend, const Scene& a, const Scene& b) {
 std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std::filesystem::path& folder,
                                       const TradeoffOptions& options) {
   const Scene scene = *arguments.read();
-  const ComparedLumen lumen =
-      scene.vessel.lumenSurface.empty()
-          ? deployedLumen(scene, folder / "deployment", options.threads, options.stopRequested)
-          : loadedLumen(scene);
+  const ComparedLumen lumen = scene.hasLoadedLumen() ? loadedLumen(scene)
+                                                     : deployedLumen(scene, folder / "deployment",
+                                                                     options.threads, options.stopRequested);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const std::vector<Vec3> struts = strutMiddles(scene);
   const bool exact = obeysPoiseuille(scene);

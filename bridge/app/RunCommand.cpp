@@ -119,7 +119,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   atomicWrite(folder.scene(), writeScene(scene, Units()));
   run.go();
   // The pictures unroll the lumen about its axis, which a loaded one need not have
-  const bool pictures = scene.output.pictures && scene.vessel.lumenSurface.empty();
+  const bool pictures = scene.output.pictures && !scene.hasLoadedLumen();
   if (pictures) {
     const std::string obstacle = Figures().draw(folder.path(), options.stopRequested);
     if (!obstacle.empty()) std::cerr << obstacle << '\n';

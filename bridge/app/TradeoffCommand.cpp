@@ -94,7 +94,7 @@ int trySweep(const TradeoffArguments& arguments) {
   return exitStatusOf(
       [&] {
         // Refused before anything is written
-        if (!scene->vessel.lumenSurface.empty()) loadedLumen(*scene);
+        if (scene->hasLoadedLumen()) loadedLumen(*scene);
         return sweep(*scene, arguments, folder, settings, *scenes);
       },
       {.interrupted = "interrupted; the same command goes on with the runs"});

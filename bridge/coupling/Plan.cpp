@@ -93,10 +93,11 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
     parts.push_back({std::move(name), runs, std::move(explanation)});
   };
   const bool tissue = scene.hasTissue(), cycle = scene.cellCycle.has_value();
-  const bool loaded = !scene.vessel.lumenSurface.empty();
   add("wall", tissue,
-      !tissue && loaded ? "no [mechanics], so no tissue: the lumen is " + scene.vessel.lumenSurface
-      : !tissue         ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
+      scene.hasLoadedLumen() ? "no [mechanics], so no tissue: the lumen is " + scene.vessel.lumenSurface
+      : !tissue              ? "no [mechanics], so no tissue: the lumen is the vessel's own shape"
+      : !scene.vessel.lumenSurface.empty()
+          ? fmt::format("packed once around {}, then relaxed", scene.vessel.lumenSurface)
       : scene.vessel.agents.empty() ? "packed once, then relaxed"
                                     : "loaded as it stands from " + scene.vessel.agents);
   add("deployment", scene.stent.has_value(),

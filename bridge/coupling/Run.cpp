@@ -13,6 +13,7 @@
 #include "FlowForecast.h"
 #include "FlowPart.h"
 #include "ForceField.h"
+#include "LoadedWall.h"
 #include "LumenFrame.h"
 #include "LumenPart.h"
 #include "LumenSurface.h"
@@ -153,16 +154,20 @@ void Run::endAs(const char* status) {
   }
 }
 
+Wall Run::initialWall() const {
+  const VesselParameters& vessel = scene_.vessel;
+  if (!vessel.agents.empty())
+    return adoptWall(vessel, readWallTable(vessel, scene_.stent ? &*scene_.stent : nullptr));
+  return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
+                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
+}
+
 void Run::prepareWall() {
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
-    const bool loaded = !scene_.vessel.agents.empty();
-    const std::string stage = loaded ? "loading the wall" : "packing the wall";
+    const std::string stage = scene_.vessel.agents.empty() ? "packing the wall" : "loading the wall";
     world_.progress.stage(stage, 0, 1);
-    world_.wall =
-        loaded
-            ? adoptWall(scene_.vessel, readWallTable(scene_.vessel, scene_.stent ? &*scene_.stent : nullptr))
-            : packWall(scene_.vessel, *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
+    world_.wall = initialWall();
     world_.progress.stage(stage, 1, 1);
   }
   stage_ = Stage::deploying;

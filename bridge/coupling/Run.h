@@ -53,6 +53,8 @@ class Run {
  private:
   enum class Stage : std::uint8_t { fresh, deploying, growing };
 
+  /// The wall that the scene describes, at rest.
+  Wall initialWall() const;
   void prepareWall();
   void deploy();
   void startGrowth();

@@ -100,7 +100,7 @@ struct World {
   /// Agents are about to move: what was taken of the lumen to make its surface is given back.
   void forgetLumen();
   /// Whether the lumen is a surface from a file. It has no radial map: LumenState stays empty.
-  bool hasLoadedLumen() const { return !scene.vessel.lumenSurface.empty(); }
+  bool hasLoadedLumen() const { return scene.hasLoadedLumen(); }
   /// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
   std::pair<double, double> measuredSection() const;
 

@@ -9,9 +9,11 @@
 #include "FlowBackendNames.h"
 #include "IgnoringVisitor.h"
 #include "LoadedLumen.h"
+#include "LoadedWall.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
 #include "SectionReader.h"
+#include "WallOutwards.h"
 
 namespace restenosis {
 namespace {
@@ -62,6 +64,27 @@ std::string endsOf(const TriSurface& lumen) {
   return "part of it lies beyond the planes of its ends";
 }
 
+/// Whether tissue can be built around the lumen, and the scene's stent begins inside it.
+template <class Blame>
+void checkWall(const Scene& scene, const Blame& blameVessel) {
+  const VesselParameters& vessel = scene.vessel;
+  try {
+    loadedWallShape(vessel);
+    if (!scene.stent) return;
+    const RadiusMap lumen = lumenFromAxis(lumenOfTissue(vessel), vessel.cellRadius);
+    const double narrowest = std::ranges::min(lumen.values());
+    if (vessel.lumenDiameter / 2 <= narrowest + vessel.cellRadius) return;
+    blameVessel(
+        "lumenDiameter",
+        fmt::format("the stent is put to the radius of {:.4g} mm, half of 'lumenDiameter' (the inlet's "
+                    "where it is not given), but 'lumenSurface' comes as near as {:.4g} mm to its axis; "
+                    "allowed is at most \"{:.4g} mm\", from where 'deploymentDepth' in [stent] counts",
+                    1e3 * vessel.lumenDiameter / 2, 1e3 * narrowest, 2e3 * narrowest));
+  } catch (const std::exception& error) {
+    blameVessel("lumenSurface", error.what());
+  }
+}
+
 }  // namespace
 
 void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
@@ -96,6 +119,8 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
     if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
       blameVessel("lumenSurface", problem);
   }
+
+  if (scene.hasTissue()) return checkWall(scene, blameVessel);
 
   const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
                         scene.flow->backend == flowBackendNames::none;

@@ -39,6 +39,8 @@ struct Scene {
 
   /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
   bool hasTissue() const { return mechanics.has_value(); }
+  /// Whether the lumen is a surface from a file, which never changes. Around one with tissue a wall is built.
+  bool hasLoadedLumen() const { return !hasTissue() && !vessel.lumenSurface.empty(); }
   /// What the backends are given: the sections, or what `scene.fidelity` stands for.
   FoamSettings foamSettings() const { return foam ? *foam : FoamSettings::forFidelity(scene.fidelity); }
   LbmSettings lbmSettings() const { return lbm ? *lbm : LbmSettings::forFidelity(scene.fidelity); }

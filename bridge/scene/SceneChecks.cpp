@@ -87,11 +87,6 @@ Finding stenosisInTissue(const Scene& s, const Units&) {
   return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
 }
 
-Finding lumenSurfaceInTissue(const Scene& s, const Units&) {
-  if (s.vessel.lumenSurface.empty() || !s.hasTissue()) return {};
-  return "'lumenSurface' is the lumen of a vessel without tissue; take it or [mechanics] out";
-}
-
 Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
   if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
   return "'stenosis' shapes a cylinder, but the lumen is that of 'lumenSurface'; take one of them out";
@@ -150,7 +145,7 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
 
 /// Of lumens that are extracted; one from a file comes with its triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
-  if (!s.vessel.lumenSurface.empty()) return {};
+  if (s.hasLoadedLumen()) return {};
   constexpr double roundingSlack = 1e-9;
   const double coarsest = s.vessel.lumenDiameter / 10;
   if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
@@ -172,7 +167,6 @@ const std::vector<Check>& checks() {
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
-      {{"vessel.lumenSurface", "mechanics"}, lumenSurfaceInTissue},
       {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},

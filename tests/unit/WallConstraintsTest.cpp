@@ -3,7 +3,7 @@
 #include "Constants.h"
 #include "Cylindrical.h"
 #include "EndPlanes.h"
-#include "LaminaCylinders.h"
+#include "LaminaSurfaces.h"
 #include "OuterConfinement.h"
 
 namespace restenosis {
@@ -26,8 +26,12 @@ class WallConstraints : public testing::Test {
   AgentStore agents;
 };
 
+/// Laminae at 0.9 and 1.1 mm from the axis.
+const WallShape shape =
+    cylindricalShape({.lumenDiameter = 2 * (0.9e-3 - r), .wallThickness = 0.2e-3 + 2 * r, .cellRadius = r});
+
 TEST_F(WallConstraints, LaminaSlidesOnItsCylinder) {
-  const LaminaCylinders cylinders(0.9e-3, 1.1e-3, r);
+  const LaminaSurfaces cylinders(shape);
   const Index iel = add(AgentKind::iel, {0.5e-3, 0.5e-3, 1e-4});
   const Vec3 place = projected(cylinders, iel);
   EXPECT_NEAR(radiusOf(place), 0.9e-3, 1e-15);
@@ -38,7 +42,7 @@ TEST_F(WallConstraints, LaminaSlidesOnItsCylinder) {
 }
 
 TEST_F(WallConstraints, CellsStayBetweenTheLaminae) {
-  const LaminaCylinders cylinders(0.9e-3, 1.1e-3, r);
+  const LaminaSurfaces cylinders(shape);
   const Index inside = add(AgentKind::smc, {0.8e-3, 0, 0}), between = add(AgentKind::smc, {1e-3, 0, 0}),
               outside = add(AgentKind::smc, {0, 1.2e-3, 0});
   EXPECT_NEAR(radiusOf(projected(cylinders, inside)), 0.9e-3 + r, 1e-15);

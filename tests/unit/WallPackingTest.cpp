@@ -24,19 +24,19 @@ std::string digest(T value) {
 
 TEST(WallPacking, CountsAreThoseOfTheModel) {
   VesselParameters vessel;  // the thesis vessel
-  const AgentCounts counts = countAgents(vessel);
+  const AgentCounts counts = countAgents(vessel, cylindricalShape(vessel));
   EXPECT_NEAR(counts.total(), 248000, 500);
   EXPECT_NEAR(counts.iel, 0.82 * 2 * 0.915e-3 * 4.5e-3 / (15e-6 * 15e-6), 1);
   EXPECT_NEAR(counts.eel, 0.82 * 2 * 1.085e-3 * 4.5e-3 / (15e-6 * 15e-6), 1);
   vessel.length = 1.2e-3;
-  EXPECT_NEAR(countAgents(vessel).total(), 66100, 100);
+  EXPECT_NEAR(countAgents(vessel, cylindricalShape(vessel)).total(), 66100, 100);
 }
 
 TEST(WallPacking, AWallTooThinIsRefusedWithTheKeysToChange) {
   VesselParameters vessel = smallVessel();
   vessel.wallThickness = 50e-6;
   try {
-    countAgents(vessel);
+    countAgents(vessel, cylindricalShape(vessel));
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("vessel.wallThickness"), std::string::npos);
@@ -45,8 +45,8 @@ TEST(WallPacking, AWallTooThinIsRefusedWithTheKeysToChange) {
 
 TEST(WallPacking, ScatterPutsAgentsWhereTheyBelong) {
   const VesselParameters vessel = smallVessel();
-  const Wall wall = scatterWall(vessel, 1);
-  const AgentCounts counts = countAgents(vessel);
+  const Wall wall = scatterWall(vessel, cylindricalShape(vessel), 1);
+  const AgentCounts counts = countAgents(vessel, cylindricalShape(vessel));
   ASSERT_EQ(wall.agents.size(), counts.total());
   for (Index i = 0; i < wall.agents.size(); ++i) {
     const double radius = radiusOf(wall.agents.position(i));
@@ -67,7 +67,7 @@ TEST(WallPacking, ScatterPutsAgentsWhereTheyBelong) {
 }
 
 TEST(WallPacking, ScatterKeepsAgentsApart) {
-  const Wall wall = scatterWall(smallVessel(), 1);
+  const Wall wall = scatterWall(smallVessel(), cylindricalShape(smallVessel()), 1);
   const CellGrid grid(wall.agents, 30e-6);
   NeighbourQuery query(wall.agents, grid);
   double nearest = 1;
@@ -78,14 +78,16 @@ TEST(WallPacking, ScatterKeepsAgentsApart) {
 }
 
 TEST(WallPacking, ScatterIsAFunctionOfTheSeed) {
-  EXPECT_EQ(digest(scatterWall(smallVessel(), 1)), digest(scatterWall(smallVessel(), 1)));
-  EXPECT_NE(digest(scatterWall(smallVessel(), 1)), digest(scatterWall(smallVessel(), 2)));
+  EXPECT_EQ(digest(scatterWall(smallVessel(), cylindricalShape(smallVessel()), 1)),
+            digest(scatterWall(smallVessel(), cylindricalShape(smallVessel()), 1)));
+  EXPECT_NE(digest(scatterWall(smallVessel(), cylindricalShape(smallVessel()), 1)),
+            digest(scatterWall(smallVessel(), cylindricalShape(smallVessel()), 2)));
 }
 
 TEST(WallPacking, RadiiHaveTheirSpreadAndTheWallItsVolume) {
   VesselParameters vessel = smallVessel();
   vessel.radiusSpread = 0.1;
-  const Wall wall = scatterWall(vessel, 1);
+  const Wall wall = scatterWall(vessel, cylindricalShape(vessel), 1);
   const double n = wall.agents.size();
   double sum = 0, squares = 0, volume = 0;
   for (Index i = 0; i < wall.agents.size(); ++i) {
@@ -102,7 +104,7 @@ TEST(WallPacking, RadiiHaveTheirSpreadAndTheWallItsVolume) {
 }
 
 TEST(WallPacking, EndsAreFixedToTheStatedDepth) {
-  Wall wall = scatterWall(smallVessel(), 1);
+  Wall wall = scatterWall(smallVessel(), cylindricalShape(smallVessel()), 1);
   fixEnds(wall, 2);
   for (Index i = 0; i < wall.agents.size(); ++i) {
     const bool nearEnd = std::min(wall.agents.z[i], 0.2e-3 - wall.agents.z[i]) < 30e-6;
@@ -112,7 +114,7 @@ TEST(WallPacking, EndsAreFixedToTheStatedDepth) {
 
 TEST(WallPacking, ALoadedWallIsBondedAndKeepsItsPlaces) {
   const VesselParameters vessel = smallVessel();
-  const AgentStore agents = scatterWall(vessel, 1).agents;
+  const AgentStore agents = scatterWall(vessel, cylindricalShape(vessel), 1).agents;
   const Wall wall = adoptWall(vessel, agents);
   ASSERT_EQ(wall.agents.size(), agents.size());
   EXPECT_GT(wall.bonds.bondCount(), agents.size());

@@ -43,7 +43,7 @@ TEST(LumenSurfaceVerification, SmoothLumenConvergesWithSecondOrder) {
 TEST(LumenSurfaceVerification, AScatteredWallHasTheRadiusOfItsInnerFaces) {
   VesselParameters vessel;
   vessel.length = 0.3e-3;
-  const Wall wall = scatterWall(vessel, 1);
+  const Wall wall = scatterWall(vessel, cylindricalShape(vessel), 1);
   // The inner faces of the IEL touch R = 900 um; between the cells the ball reaches 2 to 4 um deeper.
   std::vector<double> radius;
   for (const double h : {20 * um, 15 * um, 10 * um}) {

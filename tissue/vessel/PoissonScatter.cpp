@@ -10,14 +10,28 @@ PoissonScatter::PoissonScatter(std::uint64_t seed, double length, double outerRa
       largest_(largest),
       grid_({-outerRadius, -outerRadius, 0}, {outerRadius, outerRadius, length}, 2 * largest) {}
 
-void PoissonScatter::add(AgentStore& agents, AgentKind kind, double radius, double innerLimit,
-                         double outerLimit) {
-  RandomStream stream(seed_, agents.nextId, 0, RandomPurpose::packing);
-  for (int tries = 1;; ++tries) {
-    const double inner = innerLimit * innerLimit, outer = outerLimit * outerLimit;
-    const double fromAxis = std::sqrt(inner + (outer - inner) * stream.uniform());
+Vec3 PoissonScatter::draw(RandomStream& stream, const TubeSurface& inner, const TubeSurface& outer) const {
+  const double least = inner.least() * inner.least(), greatest = outer.greatest() * outer.greatest();
+  // Steeper than this no wall is that can be packed; where one is, it gets too few agents by so much.
+  constexpr double steepest = 2;
+  for (;;) {
+    const double fromAxis = std::sqrt(least + (greatest - least) * stream.uniform());
     const double angle = 2 * std::numbers::pi * stream.uniform();
     const Vec3 place = toCartesian({fromAxis, angle, length_ * stream.uniform()});
+    if (inner.isCylinder() && outer.isCylinder()) return place;
+    if (&inner != &outer) {
+      if (fromAxis >= inner.at(place) && fromAxis <= outer.at(place)) return place;
+    } else if (steepest * outer.greatest() * stream.uniform() <= outer.areaElementAt(place)) {
+      return atRadius(place, outer.at(place));
+    }
+  }
+}
+
+void PoissonScatter::add(AgentStore& agents, AgentKind kind, double radius, const TubeSurface& inner,
+                         const TubeSurface& outer) {
+  RandomStream stream(seed_, agents.nextId, 0, RandomPurpose::packing);
+  for (int tries = 1;; ++tries) {
+    const Vec3 place = draw(stream, inner, outer);
     const bool isFree = grid_.visit(place, share_ * (radius + largest_), [&](Index other, double squared) {
       const double reach = share_ * (radius + agents.radius[other]);
       return squared >= reach * reach;

@@ -2,20 +2,22 @@
 
 #include "PointGrid.h"
 #include "RandomStream.h"
+#include "TubeSurface.h"
 
 namespace restenosis {
 
-/// Adds agents at random places between two cylinders, one after another, none nearer to an earlier one than
+/// Adds agents at random places between two surfaces, one after another, none nearer to an earlier one than
 /// a share of the sum of their radii. The share starts high and is lowered a little whenever an agent finds
 /// no place, so it always ends. Every place is a function of (seed, agent id).
 class PoissonScatter {
  public:
-  /// Agents between `low` and `high` radius and 0 <= z <= length [m]; `largest` bounds the radii.
+  /// Agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `largest` bounds the radii.
   PoissonScatter(std::uint64_t seed, double length, double outerRadius, double largest);
 
-  /// Appends an agent of `kind` and `radius` with its centre between the cylinders `innerLimit` and
-  /// `outerLimit` (which may be equal: on a cylinder).
-  void add(AgentStore& agents, AgentKind kind, double radius, double innerLimit, double outerLimit);
+  /// Appends an agent of `kind` and `radius` with its centre between the two surfaces, or on the surface that
+  /// both are.
+  void add(AgentStore& agents, AgentKind kind, double radius, const TubeSurface& inner,
+           const TubeSurface& outer);
   /// Starts the next group of agents at the full share again.
   void restart() { share_ = initialShare; }
 
@@ -25,6 +27,9 @@ class PoissonScatter {
   // start of the relaxation.
   static constexpr double initialShare = 0.82;
   static constexpr int triesBeforeLowering = 200;
+
+  /// A random place of uniform density.
+  Vec3 draw(RandomStream& stream, const TubeSurface& inner, const TubeSurface& outer) const;
 
   std::uint64_t seed_;
   double length_, largest_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "Cylindrical.h"
 
@@ -51,6 +52,15 @@ RadiusMap::RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing)
     if (weight[n] > 0) values_[n] /= weight[n];
   }
   continueIntoGaps(weight);
+  bound();
+}
+
+RadiusMap::RadiusMap(int around, double zLow, double zStep, std::vector<double> values)
+    : around_(around),
+      along_(static_cast<int>(values.size()) / around),
+      zLow_(zLow),
+      zStep_(zStep),
+      values_(std::move(values)) {
   bound();
 }
 
@@ -124,6 +134,16 @@ void RadiusMap::bound() {
 double RadiusMap::lowestNear(double x, double y, double z) const {
   if (empty()) return std::numeric_limits<double>::infinity();
   return lowest_[static_cast<std::size_t>(rowOf(z)) * sectors + sectorOf(x, y)];
+}
+
+Vec3 RadiusMap::normalAt(const Vec3& point) const {
+  const Cylindrical c = toCylindrical(point);
+  const double turn = std::numbers::pi / around_, step = zStep_ / 2;
+  const auto radius = [this](double angle, double z) { return at(toCartesian({1, angle, z})); };
+  const double around = (radius(c.angle + turn, c.z) - radius(c.angle - turn, c.z)) / (2 * turn);
+  const double along = (radius(c.angle, c.z + step) - radius(c.angle, c.z - step)) / (2 * step);
+  const Vec3 out = radialAt(point);
+  return (out - around / at(point) * Vec3(-out.y(), out.x(), 0) - along * Vec3::UnitZ()).normalized();
 }
 
 double RadiusMap::at(const Vec3& point) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "AgentStore.h"
@@ -15,11 +16,19 @@ class RadiusMap {
   /// Averages the agents of one kind. `smoothing` is the standard deviation of the weight [m], at least half
   /// the spacing of the agents; where there are none within three of it the nearest values are continued.
   RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing);
+  /// The map with these values [m], `around` of them for each of the places zLow, zLow + zStep, ... [m]; the
+  /// first of each is that in the direction -x, the next ones follow counterclockwise.
+  RadiusMap(int around, double zLow, double zStep, std::vector<double> values);
 
   /// Whether there was any agent; without one `at` is infinite: no surface.
   bool empty() const { return values_.empty(); }
   /// Distance of the surface from the axis at the point's angle and place along the vessel [m].
   double at(const Vec3& point) const;
+  /// Unit vector out of the surface at the point's angle and place along the vessel, from differences over
+  /// the spacing of the map.
+  Vec3 normalAt(const Vec3& point) const;
+  /// Distances of the nodes of the map from the axis [m].
+  std::span<const double> values() const { return values_; }
   /// A bound that `at` is not below at a point [m], found without an angle; infinite without agents.
   double lowestNear(double x, double y, double z) const;
   /// A bound that `at` is nowhere below [m]; infinite without agents.

@@ -7,8 +7,9 @@ void VesselParameters::describe(ParameterVisitor& p) {
   p.file(lumenSurface,
          {.key = "lumenSurface",
           .source = "none",
-          .description = "STL of the lumen to use instead of a cylinder, without tissue; length and "
-                         "lumenDiameter are then the surface's own unless given"});
+          .description =
+              "STL of the lumen to use instead of a cylinder; tissue is built outwards from it; length "
+              "and lumenDiameter are then the surface's own unless given"});
   p.choice(lumenSurfaceUnit, {"m", "mm", "um"},
            {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
   const bool cylinder = lumenSurface.empty();

@@ -35,7 +35,7 @@ class Validation {
       checkTable("vessel.agents", [&] { readWallTable(v, s); });
     } else {
       try {
-        countAgents(v);
+        countAgents(v, cylindricalShape(v));
       } catch (const std::invalid_argument& error) {
         add("vessel.wallThickness", error.what());
       }

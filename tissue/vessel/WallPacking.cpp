@@ -9,7 +9,7 @@
 
 #include "Cylindrical.h"
 #include "EndPlanes.h"
-#include "LaminaCylinders.h"
+#include "LaminaSurfaces.h"
 #include "OuterConfinement.h"
 #include "PoissonScatter.h"
 #include "RandomStream.h"
@@ -52,30 +52,34 @@ Index countExpelled(const Wall& wall) {
 
 }  // namespace
 
-Wall scatterWall(const VesselParameters& vessel, std::uint64_t seed) {
-  const AgentCounts counts = countAgents(vessel);
+Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed) {
+  const AgentCounts counts = countAgents(vessel, shape);
   Wall wall = emptyWall(vessel);
-  const double inner = ielRadius(vessel), outer = eelRadius(vessel);
   const double largest = vessel.cellRadius * (1 + radiusCut * vessel.radiusSpread);
-  PoissonScatter scatter(seed, vessel.length, outer, largest);
-  const auto add = [&](AgentKind kind, Index count, double from, double to) {
+  PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), largest);
+  const auto add = [&](AgentKind kind, Index count, const TubeSurface& from, const TubeSurface& to) {
     scatter.restart();
     for (Index n = 0; n < count; ++n) {
       scatter.add(wall.agents, kind, drawRadius(vessel, wall.agents.nextId, seed), from, to);
     }
   };
-  add(AgentKind::iel, counts.iel, inner, inner);
-  add(AgentKind::eel, counts.eel, outer, outer);
-  add(AgentKind::smc, counts.smc, inner + vessel.cellRadius, outer - vessel.cellRadius);
+  add(AgentKind::iel, counts.iel, shape.iel, shape.iel);
+  add(AgentKind::eel, counts.eel, shape.eel, shape.eel);
+  add(AgentKind::smc, counts.smc, shape.inner, shape.outer);
   wall.bonds.resize(wall.agents.size());
   return wall;
 }
 
 Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
               PackingReport* report) {
+  return packWall(vessel, cylindricalShape(vessel), mechanics, seed, report);
+}
+
+Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
+              std::uint64_t seed, PackingReport* report) {
   PackingReport done;
-  done.counts = countAgents(vessel);
-  Wall wall = scatterWall(vessel, seed);
+  done.counts = countAgents(vessel, shape);
+  Wall wall = scatterWall(vessel, shape, seed);
   orderInSpace(wall);
 
   // Packing always runs to equilibrium, and below the scene's tolerance, so that a wall at rest is at rest
@@ -103,11 +107,11 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
   };
 
   const EndPlanes ends(vessel.length);
-  const LaminaCylinders cylinders(ielRadius(vessel), eelRadius(vessel), vessel.cellRadius);
-  const std::array<const Constraint*, 2> packing = {&cylinders, &ends};
+  const LaminaSurfaces surfaces(shape);
+  const std::array<const Constraint*, 2> packing = {&surfaces, &ends};
   done.packed = relax(packing);
 
-  // Bonded before the laminae are let go: the bonds of the IEL take up the pressure that its cylinder
+  // Bonded before the laminae are let go: the bonds of the IEL take up the pressure that its surface
   // carried, which without them would push it some micrometres into the lumen.
   orderInSpace(wall);
   done.bonds = bondWall(wall, vessel.bondRange);

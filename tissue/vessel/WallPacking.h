@@ -7,28 +7,32 @@
 #include "Relaxation.h"
 #include "VesselParameters.h"
 #include "Wall.h"
+#include "WallShape.h"
 
 namespace restenosis {
 
 /// Places the agents of a wall at random, no two nearer than a share of the sum of their radii (a Poisson
-/// disc): the IEL one cell radius outside the lumen, the EEL one inside the wall's outer face, cells between
-/// the two. Not in equilibrium. Radii are normal about the mean, cut at three standard deviations.
-Wall scatterWall(const VesselParameters& vessel, std::uint64_t seed);
+/// disc), in this shape. Not in equilibrium. Radii are normal about the mean, cut at three standard
+/// deviations.
+Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed);
 
 /// What packing did.
 struct PackingReport {
   AgentCounts counts;
-  RelaxationReport packed;    ///< with the laminae held to their cylinders
+  RelaxationReport packed;    ///< with the laminae held to their surfaces
   RelaxationReport released;  ///< then set free
   double ielDrift = 0;        ///< mean radial move of the IEL on release [m]
   Index expelled = 0;         ///< cells outside the space between the laminae afterwards
   std::size_t bonds = 0;
 };
 
-/// A wall in equilibrium: scattered, relaxed with the laminae sliding on their cylinders, bonded with every
+/// A wall in equilibrium: scattered, relaxed with the laminae sliding on their surfaces, bonded with every
 /// bond at rest, released, relaxed again, ends fixed, ordered in space. What little load the bonds then carry
 /// is the packing's pressure on the laminae. The same for any number of threads. Throws RelaxationFailed
 /// where it does not reach equilibrium.
+Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
+              std::uint64_t seed, PackingReport* report = nullptr);
+/// The same around a cylinder.
 Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
               PackingReport* report = nullptr);
 

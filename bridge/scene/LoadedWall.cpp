@@ -1,0 +1,23 @@
+#include "LoadedWall.h"
+
+#include "LoadedLumen.h"
+#include "LumenFrame.h"
+#include "LumenRefusal.h"
+#include "LumenShape.h"
+#include "WallOutwards.h"
+
+namespace restenosis {
+
+TriSurface lumenOfTissue(const VesselParameters& vessel) {
+  const TriSurface lumen = loadLumen(vessel);
+  requireLumenWithPlanarEnds(lumen);
+  const auto frame = frameAlongZ(lumen);
+  if (!frame) refuseLumen("tissue is built around a lumen between two parallel planes");
+  return movedAlongZ(lumen, *frame);
+}
+
+WallShape loadedWallShape(const VesselParameters& vessel) {
+  return wallOutwards(lumenOfTissue(vessel), vessel);
+}
+
+}  // namespace restenosis

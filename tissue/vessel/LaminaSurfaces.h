@@ -1,0 +1,21 @@
+#pragma once
+
+#include "Constraint.h"
+#include "WallShape.h"
+
+namespace restenosis {
+
+/// For packing: each lamina's agents slide on its surface, and cells stay between the two they are given.
+/// Places are corrected along the radius, forces taken out along the surface's normal.
+class LaminaSurfaces : public Constraint {
+ public:
+  /// `shape` must outlive the object.
+  explicit LaminaSurfaces(const WallShape& shape) : shape_(shape) {}
+  void project(AgentKind kind, double radius, Vec3& position) const override;
+  void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
+
+ private:
+  const WallShape& shape_;
+};
+
+}  // namespace restenosis

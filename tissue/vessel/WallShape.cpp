@@ -1,0 +1,20 @@
+#include "WallShape.h"
+
+#include <numbers>
+
+namespace restenosis {
+
+WallShape cylindricalShape(const VesselParameters& vessel) {
+  using std::numbers::pi;
+  const double lumen = vessel.lumenDiameter / 2, outside = lumen + vessel.wallThickness;
+  const double iel = lumen + vessel.cellRadius, eel = lumen + vessel.wallThickness - vessel.cellRadius;
+  return {.iel = TubeSurface(iel),
+          .inner = TubeSurface(iel + vessel.cellRadius),
+          .outer = TubeSurface(eel - vessel.cellRadius),
+          .eel = TubeSurface(eel),
+          .ielArea = 2 * pi * iel * vessel.length,
+          .eelArea = 2 * pi * eel * vessel.length,
+          .volume = pi * (outside * outside - lumen * lumen) * vessel.length};
+}
+
+}  // namespace restenosis
