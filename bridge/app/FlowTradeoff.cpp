@@ -105,9 +105,14 @@ std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std
     if (!exact && !reference) reference = flow;
     TradeoffRow row{settingOf(choice), valueOf(choice), flow.seconds, 0.0, ""};
     if (exact) {
+      const auto error =
+          poiseuilleError(flow.solution.wall, scene.vessel.lumenDiameter, scene.vessel.length, conditions);
+      if (!error) {
+        std::cerr << fmt::format("{} is left out: the tube is too short to measure its error in\n", name);
+        continue;
+      }
       row.meaning = "wall shear stress (L2) against Poiseuille's law";
-      row.error =
-          poiseuilleError(flow.solution.wall, scene.vessel.lumenDiameter, scene.vessel.length, conditions).l2;
+      row.error = error->l2;
     } else {
       row.meaning =
           fmt::format("wall shear stress (L2; struts and ends left out) against {}", nameOf(choices[0]));

@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-PoiseuilleError poiseuilleError(std::span<const WallFace> faces, double diameter, double length,
-                                const FlowConditions& conditions) {
+std::optional<PoiseuilleError> poiseuilleError(std::span<const WallFace> faces, double diameter,
+                                               double length, const FlowConditions& conditions) {
   PoiseuilleError error;
   const double radius = 0.5 * diameter;
   error.exact = 4.0 * conditions.dynamicViscosity() * conditions.flowRate /
@@ -22,7 +22,8 @@ PoiseuilleError poiseuilleError(std::span<const WallFace> faces, double diameter
     squares += face.area * relative * relative;
     error.largest = std::max(error.largest, std::abs(relative));
   }
-  if (area > 0.0) error.mean = sum / area, error.l2 = std::sqrt(squares / area);
+  if (!(area > 0.0)) return std::nullopt;
+  error.mean = sum / area, error.l2 = std::sqrt(squares / area);
   return error;
 }
 

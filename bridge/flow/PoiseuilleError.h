@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "FlowBackend.h"
@@ -19,8 +20,9 @@ struct PoiseuilleError {
   double largest = 0.0;  ///< of all faces
 };
 
-/// The error in a tube of this diameter [m] along z from 0 to `length` [m], at a fixed flow rate.
-PoiseuilleError poiseuilleError(std::span<const WallFace> faces, double diameter, double length,
-                                const FlowConditions& conditions);
+/// The error in a tube of this diameter [m] along z from 0 to `length` [m], at a fixed flow rate; nothing
+/// where it has no faces between its ends' margins.
+std::optional<PoiseuilleError> poiseuilleError(std::span<const WallFace> faces, double diameter,
+                                               double length, const FlowConditions& conditions);
 
 }  // namespace restenosis

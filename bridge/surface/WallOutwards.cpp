@@ -160,7 +160,7 @@ std::vector<double> outwards(const NearestTriangle& side, const RayGrid& grid,
   return radii;
 }
 
-double areaOf(const TubeSurface& surface, const RayGrid& grid) {
+double areaOf(const SurfaceFromAxis& surface, const RayGrid& grid) {
   double area = 0;
   for (std::size_t node = 0; node < grid.size(); ++node)
     area += surface.areaElementAt(grid.place(node, 1)) * grid.share(node);
@@ -181,7 +181,7 @@ WallShape wallOutwards(const TriSurface& lumen, const VesselParameters& vessel) 
   const NearestTriangle side = sideOf(lumen);
   const double r = vessel.cellRadius, thickness = vessel.wallThickness;
   const auto surfaceAt = [&](double distance) {
-    return TubeSurface(grid.map(outwards(side, grid, inside, distance)));
+    return SurfaceFromAxis(grid.map(outwards(side, grid, inside, distance)));
   };
   WallShape shape{.iel = surfaceAt(r),
                   .inner = surfaceAt(2 * r),

@@ -20,10 +20,16 @@ TEST(PoiseuilleError, WeighsByAreaAndLeavesTheEndsOut) {
       {Vec3(0, 0, 0.05e-3), 9e-9, Vec3(0, 0, 5 * exact), SurfaceRegion::wall},
       {Vec3(0, 0, 1.15e-3), 9e-9, Vec3(0, 0, 5 * exact), SurfaceRegion::wall}};
   const auto error = poiseuilleError(faces, 2 * vesselRadius, vesselLength, vesselConditions());
-  EXPECT_NEAR(error.exact, exact, 1e-12);
-  EXPECT_NEAR(error.mean, 0.01, 1e-12);
-  EXPECT_NEAR(error.l2, 0.02, 1e-12);
-  EXPECT_NEAR(error.largest, 0.02, 1e-12);
+  ASSERT_TRUE(error);
+  EXPECT_NEAR(error->exact, exact, 1e-12);
+  EXPECT_NEAR(error->mean, 0.01, 1e-12);
+  EXPECT_NEAR(error->l2, 0.02, 1e-12);
+  EXPECT_NEAR(error->largest, 0.02, 1e-12);
+}
+
+TEST(PoiseuilleError, IsNotKnownWhereThereIsNothingBetweenTheEnds) {
+  const std::vector<WallFace> faces = {{Vec3(0, 0, 0.05e-3), 1e-9, Vec3(0, 0, 1), SurfaceRegion::wall}};
+  EXPECT_FALSE(poiseuilleError(faces, 2 * vesselRadius, 0.1e-3, vesselConditions()));
 }
 
 }  // namespace

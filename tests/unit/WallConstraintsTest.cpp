@@ -27,8 +27,13 @@ class WallConstraints : public testing::Test {
 };
 
 /// Laminae at 0.9 and 1.1 mm from the axis.
-const WallShape shape =
-    cylindricalShape({.lumenDiameter = 2 * (0.9e-3 - r), .wallThickness = 0.2e-3 + 2 * r, .cellRadius = r});
+const WallShape shape = [] {
+  VesselParameters vessel;
+  vessel.lumenDiameter = 2 * (0.9e-3 - r);
+  vessel.wallThickness = 0.2e-3 + 2 * r;
+  vessel.cellRadius = r;
+  return cylindricalShape(vessel);
+}();
 
 TEST_F(WallConstraints, LaminaSlidesOnItsCylinder) {
   const LaminaSurfaces cylinders(shape);
@@ -39,6 +44,19 @@ TEST_F(WallConstraints, LaminaSlidesOnItsCylinder) {
   EXPECT_DOUBLE_EQ(place.z(), 1e-4);
   agents.setPosition(iel, {0.9e-3, 0, 0});
   EXPECT_EQ(released(cylinders, iel, {3, 2, 1}), Vec3(0, 2, 1));
+}
+
+TEST_F(WallConstraints, LaminaSlidesOnACone) {
+  std::vector<double> radii(64, 1e-3);  // at z = 0; at z = 1 mm half as much again
+  std::fill(radii.begin() + 32, radii.end(), 1.5e-3);
+  const SurfaceFromAxis cone(RadiusMap(32, 0, 1e-3, radii));
+  const WallShape conical{cone, cone, cone, cone, 0, 0, 0};
+  const LaminaSurfaces surfaces(conical);
+  const Index iel = add(AgentKind::iel, {2e-3, 0, 0.5e-3});
+  EXPECT_NEAR(radiusOf(projected(surfaces, iel)), 1.25e-3, 1e-15);
+  const Vec3 normal = Vec3(1, 0, -0.5).normalized(), along = Vec3(0.5, 0, 1).normalized();
+  EXPECT_LT(released(surfaces, iel, 3 * normal).norm(), 1e-12) << "what presses it on is carried";
+  EXPECT_LT((released(surfaces, iel, normal + along) - along).norm(), 1e-12);
 }
 
 TEST_F(WallConstraints, CellsStayBetweenTheLaminae) {

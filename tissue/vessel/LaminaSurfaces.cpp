@@ -26,7 +26,7 @@ void LaminaSurfaces::project(AgentKind kind, double, Vec3& position) const {
 }
 
 void LaminaSurfaces::release(AgentKind kind, double, const Vec3& position, Vec3& force) const {
-  const auto slideOn = [&](const TubeSurface& surface) {
+  const auto slideOn = [&](const SurfaceFromAxis& surface) {
     const Vec3 out = surface.normalAt(position);
     force -= force.dot(out) * out;
   };

@@ -10,7 +10,8 @@ PoissonScatter::PoissonScatter(std::uint64_t seed, double length, double outerRa
       largest_(largest),
       grid_({-outerRadius, -outerRadius, 0}, {outerRadius, outerRadius, length}, 2 * largest) {}
 
-Vec3 PoissonScatter::draw(RandomStream& stream, const TubeSurface& inner, const TubeSurface& outer) const {
+Vec3 PoissonScatter::draw(RandomStream& stream, const SurfaceFromAxis& inner,
+                          const SurfaceFromAxis& outer) const {
   const double least = inner.least() * inner.least(), greatest = outer.greatest() * outer.greatest();
   // Steeper than this no wall is that can be packed; where one is, it gets too few agents by so much.
   constexpr double steepest = 2;
@@ -27,8 +28,8 @@ Vec3 PoissonScatter::draw(RandomStream& stream, const TubeSurface& inner, const 
   }
 }
 
-void PoissonScatter::add(AgentStore& agents, AgentKind kind, double radius, const TubeSurface& inner,
-                         const TubeSurface& outer) {
+void PoissonScatter::add(AgentStore& agents, AgentKind kind, double radius, const SurfaceFromAxis& inner,
+                         const SurfaceFromAxis& outer) {
   RandomStream stream(seed_, agents.nextId, 0, RandomPurpose::packing);
   for (int tries = 1;; ++tries) {
     const Vec3 place = draw(stream, inner, outer);

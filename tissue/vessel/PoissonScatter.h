@@ -2,7 +2,7 @@
 
 #include "PointGrid.h"
 #include "RandomStream.h"
-#include "TubeSurface.h"
+#include "SurfaceFromAxis.h"
 
 namespace restenosis {
 
@@ -16,8 +16,8 @@ class PoissonScatter {
 
   /// Appends an agent of `kind` and `radius` with its centre between the two surfaces, or on the surface that
   /// both are.
-  void add(AgentStore& agents, AgentKind kind, double radius, const TubeSurface& inner,
-           const TubeSurface& outer);
+  void add(AgentStore& agents, AgentKind kind, double radius, const SurfaceFromAxis& inner,
+           const SurfaceFromAxis& outer);
   /// Starts the next group of agents at the full share again.
   void restart() { share_ = initialShare; }
 
@@ -29,7 +29,7 @@ class PoissonScatter {
   static constexpr int triesBeforeLowering = 200;
 
   /// A random place of uniform density.
-  Vec3 draw(RandomStream& stream, const TubeSurface& inner, const TubeSurface& outer) const;
+  Vec3 draw(RandomStream& stream, const SurfaceFromAxis& inner, const SurfaceFromAxis& outer) const;
 
   std::uint64_t seed_;
   double length_, largest_;

@@ -57,7 +57,7 @@ Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::ui
   Wall wall = emptyWall(vessel);
   const double largest = vessel.cellRadius * (1 + radiusCut * vessel.radiusSpread);
   PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), largest);
-  const auto add = [&](AgentKind kind, Index count, const TubeSurface& from, const TubeSurface& to) {
+  const auto add = [&](AgentKind kind, Index count, const SurfaceFromAxis& from, const SurfaceFromAxis& to) {
     scatter.restart();
     for (Index n = 0; n < count; ++n) {
       scatter.add(wall.agents, kind, drawRadius(vessel, wall.agents.nextId, seed), from, to);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TubeSurface.h"
+#include "SurfaceFromAxis.h"
 #include "VesselParameters.h"
 
 namespace restenosis {
@@ -8,11 +8,11 @@ namespace restenosis {
 /// The shape that a wall is packed in (model 2), around a lumen of any section that all of the vessel's axis
 /// sees. Distances are from the lumen's surface, outwards.
 struct WallShape {
-  TubeSurface iel;           ///< of the centres of the IEL's agents: a cell radius r
-  TubeSurface inner, outer;  ///< that cells' centres lie between: 2 r, and the wall's thickness less 2 r
-  TubeSurface eel;           ///< of the centres of the EEL's agents: the wall's thickness less r
-  double ielArea, eelArea;   ///< of these surfaces [m^2]
-  double volume;             ///< of the wall [m^3]
+  SurfaceFromAxis iel;           ///< of the centres of the IEL's agents: a cell radius r
+  SurfaceFromAxis inner, outer;  ///< that cells' centres lie between: 2 r, and the wall's thickness less 2 r
+  SurfaceFromAxis eel;           ///< of the centres of the EEL's agents: the wall's thickness less r
+  double ielArea, eelArea;       ///< of these surfaces [m^2]
+  double volume;                 ///< of the wall [m^3]
 };
 
 /// That of a vessel whose lumen is a cylinder.

@@ -8,12 +8,12 @@ namespace restenosis {
 
 /// A surface around the vessel's axis that is seen from all of the axis: a cylinder, or one whose distance
 /// from the axis is mapped.
-class TubeSurface {
+class SurfaceFromAxis {
  public:
   /// A cylinder of this radius [m].
-  explicit TubeSurface(double radius) : least_(radius), greatest_(radius) {}
+  explicit SurfaceFromAxis(double radius) : least_(radius), greatest_(radius) {}
   /// `map` must not be empty.
-  explicit TubeSurface(RadiusMap map);
+  explicit SurfaceFromAxis(RadiusMap map);
 
   bool isCylinder() const { return !map_; }
   /// Distance of the surface from the axis at the point's angle and place along the vessel [m].

@@ -1,4 +1,4 @@
-#include "TubeSurface.h"
+#include "SurfaceFromAxis.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,14 +7,16 @@
 
 namespace restenosis {
 
-TubeSurface::TubeSurface(RadiusMap map)
+SurfaceFromAxis::SurfaceFromAxis(RadiusMap map)
     : map_(std::move(map)),
       least_(std::ranges::min(map_->values())),
       greatest_(std::ranges::max(map_->values())) {}
 
-Vec3 TubeSurface::normalAt(const Vec3& point) const { return map_ ? map_->normalAt(point) : radialAt(point); }
+Vec3 SurfaceFromAxis::normalAt(const Vec3& point) const {
+  return map_ ? map_->normalAt(point) : radialAt(point);
+}
 
-double TubeSurface::areaElementAt(const Vec3& point) const {
+double SurfaceFromAxis::areaElementAt(const Vec3& point) const {
   return at(point) / normalAt(point).dot(radialAt(point));
 }
 
