@@ -84,6 +84,21 @@ TEST_F(LoadedLumen, OpenEndsAreCapped) {
   expectEnds(load(tube(vesselRadius, 2e-3), oneOpen), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
 }
 
+TEST_F(LoadedLumen, TwoOpenRimsAreTheEndsWhateverElseIsFlat) {
+  const TriSurface duct = revolve({{vesselRadius, 0}, {vesselRadius, 2e-3}}, 4);
+  const SurfaceRegion wall[] = {SurfaceRegion::wall};
+  const TriSurface lumen = load(duct, wall);
+  EXPECT_NO_THROW(requireLumenWithPlanarEnds(lumen));
+  EXPECT_NEAR((endPlane(lumen, SurfaceRegion::inlet).centre - Vec3(0, 0, 0)).norm(), 0.0, 1e-8);
+  EXPECT_NEAR((endPlane(lumen, SurfaceRegion::outlet).centre - Vec3(0, 0, 2e-3)).norm(), 0.0, 1e-8);
+  EXPECT_EQ(std::ranges::count(lumen.region, SurfaceRegion::wall), 8);
+
+  EXPECT_SAYS(refusal(duct), "but 6 were found (0 of them open)");
+  const SurfaceRegion oneOpen[] = {SurfaceRegion::wall, SurfaceRegion::inlet};
+  writeStl(file, duct, 1e-3, oneOpen);
+  EXPECT_SAYS(refusalOfFile(), "but 6 were found (1 of them open)");
+}
+
 TEST_F(LoadedLumen, NormalsAreTurnedOutwards) {
   TriSurface inside = tube(vesselRadius, 2e-3);
   for (auto& t : inside.triangles) std::swap(t[0], t[1]);
