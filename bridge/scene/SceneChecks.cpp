@@ -224,13 +224,13 @@ void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& 
 /// Whether the flow can be resolved, where it is solved for certain; elsewhere it may never be due, and the
 /// plan says it. Nothing can be said while one of the sections that count is wrong.
 void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
-                     SceneFindings& findings) {
+                     const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
   if (scene.hasTissue() && scene.coupling.schedule != "everyStep") return;
   for (const std::string_view section :
        {SceneParameters::section, VesselParameters::section, FlowParameters::section, FoamSettings::section,
         LbmSettings::section})
     if (unreliableSection(findings, section)) return;
-  if (auto problem = resolutionProblem(scene, units))
+  if (auto problem = resolutionProblem(scene, units, loaded))
     blame(problem->key, std::move(problem->message), document, findings);
 }
 
@@ -245,7 +245,7 @@ double estimatedAgents(const Scene& scene) {
 }
 
 void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
-                SceneFindings& findings) {
+                const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
   const auto unreliable = [&findings](std::string_view key) {
     return findings.unreliable.contains(key) || findings.unreliable.contains(sectionOf(key));
   };
@@ -255,7 +255,7 @@ void checkScene(const Scene& scene, const SceneDocument& document, const Units& 
       blame(check.reads.front(), std::move(*message), document, findings);
   }
   checkFit(scene, document, findings);
-  checkResolution(scene, document, units, findings);
+  checkResolution(scene, document, units, loaded, findings);
 }
 
 }  // namespace restenosis
