@@ -261,6 +261,29 @@ TEST_F(LoadedLumen, AVertexFarFromAllOthersIsNamed) {
   }
 }
 
+TEST_F(LoadedLumen, AsciiFilesKeepTheirPlaceFarFromTheOrigin) {
+  const double away = 10.0;  // where single precision tells 1 um apart
+  const TriSurface good = tube(vesselRadius, 2e-3);
+  writeNamedStl(file, moved(good, motionTo(Vec3(0, 0, 1), Vec3(away, away, 0))), 1e-3);
+  const TriSurface lumen = loadLumen(file, 1e-3);
+  double departure = 0.0;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    if (lumen.region[t] == SurfaceRegion::wall)
+      for (const auto v : lumen.triangles[t])
+        departure = std::max(departure, std::abs((lumen.vertices[v] - Vec3(away, away, 0)).head<2>().norm() -
+                                                 good.vertices[0].head<2>().norm()));
+  EXPECT_LT(departure, 1e-8);  // the file has nine digits
+}
+
+TEST_F(LoadedLumen, WhatLiesTooFarFromTheOriginIsRefused) {
+  for (const double away : {100.0, 1e4, 1e6}) {  // [m]
+    const TriSurface distant = moved(tube(vesselRadius, 2e-3), motionTo(Vec3(1, 2, 3), Vec3(away, 0, 0)));
+    EXPECT_SAYS(refusal(distant), "lies too far from the origin: single precision");
+    writeNamedStl(file, distant, 1e-3);
+    EXPECT_SAYS(refusalOfFile(), "lies too far from the origin");
+  }
+}
+
 TEST_F(LoadedLumen, FilesThatAreNoSurfacesAreNamed) {
   EXPECT_SAYS(refusalOfFile(), "is not a file");
   writeText(file, "solid nothing\nendsolid nothing\n");
