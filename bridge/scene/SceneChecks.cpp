@@ -148,9 +148,9 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
          "instead";
 }
 
-/// Of lumens that are extracted; one from a file comes with its triangles.
+/// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
-  if (!s.vessel.lumenSurface.empty()) return {};
+  if (!s.hasTissue()) return {};
   constexpr double roundingSlack = 1e-9;
   const double coarsest = s.vessel.lumenDiameter / 10;
   if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
@@ -186,7 +186,7 @@ const std::vector<Check>& checks() {
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
       {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
-      {{"coupling.surfaceResolution", "vessel.lumenDiameter", "vessel.lumenSurface"}, surfaceTooCoarse},
+      {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
   };
   return table;
 }

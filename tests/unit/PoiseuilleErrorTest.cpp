@@ -24,6 +24,13 @@ TEST(PoiseuilleError, WeighsByAreaAndLeavesTheEndsOut) {
   EXPECT_NEAR(error.mean, 0.01, 1e-12);
   EXPECT_NEAR(error.l2, 0.02, 1e-12);
   EXPECT_NEAR(error.largest, 0.02, 1e-12);
+  EXPECT_EQ(error.endMargin, 0.1e-3);
+}
+
+TEST(PoiseuilleError, LeavesMoreOutOfAWiderTube) {
+  const FlowConditions conditions = vesselConditions();
+  EXPECT_DOUBLE_EQ(poiseuilleError({}, 20 * vesselRadius, 10 * vesselLength, conditions).endMargin, 1e-3);
+  EXPECT_DOUBLE_EQ(poiseuilleError({}, 0.2 * vesselRadius, vesselLength, conditions).endMargin, 0.1e-3);
 }
 
 }  // namespace
