@@ -272,7 +272,7 @@ TEST_F(LoadedLumen, AsciiFilesKeepTheirPlaceFarFromTheOrigin) {
       for (const auto v : lumen.triangles[t])
         departure = std::max(departure, std::abs((lumen.vertices[v] - Vec3(away, away, 0)).head<2>().norm() -
                                                  good.vertices[0].head<2>().norm()));
-  EXPECT_LT(departure, 1e-8);  // the file has nine digits
+  EXPECT_LT(departure, 1e-7);  // nine digits; in single precision it is 5e-7
 }
 
 TEST_F(LoadedLumen, WhatLiesTooFarFromTheOriginIsRefused) {
