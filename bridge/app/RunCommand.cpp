@@ -67,8 +67,7 @@ void printPoiseuille(const Run& run) {
   std::cout << fmt::format(
       "\nWSS against 4 mu U / R = {:.4f} Pa, without {:g} mm at either end: mean {:+.2f} %, L2 {:.2f} %, "
       "largest {:.2f} %\n",
-      error->exact, 1e3 * PoiseuilleError::endMargin, 100 * error->mean, 100 * error->l2,
-      100 * error->largest);
+      error->exact, 1e3 * error->endMargin, 100 * error->mean, 100 * error->l2, 100 * error->largest);
 }
 
 std::filesystem::path resultsPath(const Scene& scene, const RunArguments& arguments) {

@@ -1,7 +1,6 @@
 #include "World.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "CylinderSurface.h"
 #include "LoadedLumen.h"
@@ -17,11 +16,14 @@ LumenFieldSettings fieldSettings(const CouplingParameters& coupling) {
   return settings;
 }
 
+/// Planes of the radial map of a lumen without tissue: over the length of a diameter (15 um apart in a vessel
+/// of 1.8 mm), and at most in all (assumed).
+constexpr double planesADiameter = 120, mostPlanes = 10000;
+
 /// The lumen of a scene without tissue.
-LumenField idealLumen(const VesselParameters& vessel, double resolution) {
-  return LumenField::fromFunction(
-      [&](const Vec3& p) { return cylinderRadius(vessel, p.z()) - std::hypot(p.x(), p.y()); }, vessel.length,
-      vessel.lumenDiameter / 2 + 4 * resolution, resolution);
+RadialMap tubeMap(const VesselParameters& vessel) {
+  return RadialMap::ofRound([&](double z) { return cylinderRadius(vessel, z); }, vessel.length,
+                            std::max(vessel.lumenDiameter / planesADiameter, vessel.length / mostPlanes));
 }
 
 }  // namespace
@@ -34,8 +36,7 @@ void World::takeLumen() {
   auto measurement = timer.measure("surface");
   forgetLumen();
   if (!scene.hasTissue()) {
-    field_ = idealLumen(scene.vessel, scene.coupling.surfaceResolution);
-    lumen.present = RadialMap(*field_);
+    lumen.present = tubeMap(scene.vessel);
     return;
   }
   const auto struts =
@@ -58,7 +59,7 @@ void World::forgetLumen() {
 
 const TriSurface& World::lumenSurface() {
   if (surface_) return *surface_;
-  if (!field_) takeLumen();
+  if (scene.hasTissue() && !field_) takeLumen();
   auto measurement = timer.measure("surface");
   if (hasLoadedLumen())
     surface_ = loadLumen(scene.vessel);

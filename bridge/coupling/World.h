@@ -113,7 +113,7 @@ struct World {
  private:
   void takeLumen();
 
-  std::optional<LumenField> field_;    ///< until the surface is made
+  std::optional<LumenField> field_;    ///< of tissue, until the surface is made
   std::optional<TriSurface> surface_;  ///< of the field, or loaded; made when it is asked for
 };
 

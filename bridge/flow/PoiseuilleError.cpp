@@ -5,17 +5,24 @@
 #include <numbers>
 
 namespace restenosis {
+namespace {
+
+/// See PoiseuilleError::endMargin.
+constexpr double leastMargin = 0.1e-3, usualDiameter = 1.8e-3;
+
+}  // namespace
 
 std::optional<PoiseuilleError> poiseuilleError(std::span<const WallFace> faces, double diameter,
                                                double length, const FlowConditions& conditions) {
   PoiseuilleError error;
   const double radius = 0.5 * diameter;
+  error.endMargin = leastMargin * std::max(1.0, diameter / usualDiameter);
   error.exact = 4.0 * conditions.dynamicViscosity() * conditions.flowRate /
                 (std::numbers::pi * radius * radius * radius);
   double area = 0.0, sum = 0.0, squares = 0.0;
   for (const WallFace& face : faces) {
     const double z = face.centre.z();
-    if (z < PoiseuilleError::endMargin || z > length - PoiseuilleError::endMargin) continue;
+    if (z < error.endMargin || z > length - error.endMargin) continue;
     const double relative = face.traction.norm() / error.exact - 1.0;
     area += face.area;
     sum += face.area * relative;

@@ -76,7 +76,7 @@ Json poiseuille(const Summary& summary) {
           {"meanError", error.mean},
           {"l2Error", error.l2},
           {"largestError", error.largest},
-          {"endsLeftOut_mm", 1e3 * PoiseuilleError::endMargin}};
+          {"endsLeftOut_mm", 1e3 * error.endMargin}};
 }
 
 Json partCosts(const Summary& summary) {

@@ -85,14 +85,28 @@ void checkWall(const Scene& scene, const Blame& blameVessel) {
   }
 }
 
+double distanceOfEnds(const TriSurface& lumen) {
+  return (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre)
+      .norm();
+}
+
+/// A bent lumen is longer than its ends are apart: as long as its volume over an end's area, or longer.
+LoadedExtent extentOf(const TriSurface& lumen) {
+  const double volume = enclosedVolume(lumen);
+  const double section =
+      std::min(endPlane(lumen, SurfaceRegion::inlet).area, endPlane(lumen, SurfaceRegion::outlet).area);
+  return {endDiameter(lumen, SurfaceRegion::inlet), std::max(distanceOfEnds(lumen), volume / section),
+          volume};
+}
+
 }  // namespace
 
-void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
-                      SceneFindings& findings) {
+std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
+                                             SceneFindings& findings) {
   VesselParameters& vessel = scene.vessel;
   if (vessel.lumenSurface.empty() || findings.unreliable.contains("vessel.lumenSurface") ||
       findings.unreliable.contains("vessel.lumenSurfaceUnit"))
-    return;
+    return {};
   const auto blameVessel = [&](std::string_view key, const std::string& message) {
     blame(VesselParameters::section, key, message, document, findings);
   };
@@ -101,10 +115,12 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
     lumen = loadLumen(vessel);
     requireLumenWithPlanarEnds(lumen);
   } catch (const std::exception& error) {
-    return blameVessel("lumenSurface", error.what());
+    blameVessel("lumenSurface", error.what());
+    return {};
   }
 
-  const double diameter = endDiameter(lumen, SurfaceRegion::inlet);
+  const LoadedExtent extent = extentOf(lumen);
+  const double diameter = extent.diameter;
   if (!gives(document, "lumenDiameter")) vessel.lumenDiameter = diameter;
   const double ratio = diameter / vessel.lumenDiameter;
   if (ratio > plausibleRatio || ratio < 1.0 / plausibleRatio)
@@ -114,13 +130,15 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
                     vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
                     units.fromSi(vessel.lumenDiameter, "mm")));
   if (!gives(document, "length")) {
-    vessel.length =
-        (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre).norm();
+    vessel.length = distanceOfEnds(lumen);
     if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
       blameVessel("lumenSurface", problem);
   }
 
-  if (scene.hasTissue()) return checkWall(scene, blameVessel);
+  if (scene.hasTissue()) {
+    checkWall(scene, blameVessel);
+    return extent;
+  }
 
   const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
                         scene.flow->backend == flowBackendNames::none;
@@ -130,6 +148,7 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
         fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",
                     scene.flow->backend, endsOf(lumen)),
         document, findings);
+  return extent;
 }
 
 }  // namespace restenosis

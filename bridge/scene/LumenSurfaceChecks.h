@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "FlowResolution.h"
 #include "Scene.h"
 #include "SceneDocument.h"
 #include "SceneFindings.h"
@@ -8,10 +11,11 @@
 namespace restenosis {
 
 /// Reads the lumen that a scene loads, if any, and checks that flow can be solved in it by the scene's
-/// backend; adds what is wrong to `findings`. Where the scene gives no `length` or `lumenDiameter`, they
-/// become the surface's: the distance between the centres of its ends, and the diameter of the circle of its
-/// inlet's area. Does nothing while the file or its unit are already found wrong.
-void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
-                      SceneFindings& findings);
+/// backend, or that the scene's tissue can be built around it; adds what is wrong to `findings`. Where the
+/// scene gives no `length` or `lumenDiameter`, they become the surface's: the distance between the centres of
+/// its ends, and the diameter of the circle of its inlet's area. Does nothing while the file or its unit are
+/// already found wrong. Returns the surface's extent if there is one to be used.
+std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
+                                             SceneFindings& findings);
 
 }  // namespace restenosis

@@ -60,12 +60,14 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                                 .maximum = 500,
                                 .source = "ISR3D",
                                 .description = "cell scale at which the lumen surface is smoothed"});
-  p.quantity(surfaceResolution, {.key = "surfaceResolution",
-                                 .unit = "um",
-                                 .minimum = 2,
-                                 .maximum = 200,
-                                 .source = "assumed",
-                                 .description = "spacing of the distance field"});
+  p.quantity(surfaceResolution,
+             {.key = "surfaceResolution",
+              .unit = "um",
+              .minimum = 2,
+              .maximum = 200,
+              .source = "assumed",
+              .description = "spacing of the distance field that the lumen is taken from; without "
+                             "tissue there is none"});
   p.choice(
       remesh, {"always", "onDemand"},
       {.key = "remesh",

@@ -143,9 +143,9 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
          "instead";
 }
 
-/// Of lumens that are extracted; one from a file comes with its triangles.
+/// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
-  if (s.hasLoadedLumen()) return {};
+  if (!s.hasTissue()) return {};
   constexpr double roundingSlack = 1e-9;
   const double coarsest = s.vessel.lumenDiameter / 10;
   if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
@@ -180,7 +180,7 @@ const std::vector<Check>& checks() {
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
       {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
-      {{"coupling.surfaceResolution", "vessel.lumenDiameter", "vessel.lumenSurface"}, surfaceTooCoarse},
+      {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
   };
   return table;
 }
@@ -218,13 +218,13 @@ void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& 
 /// Whether the flow can be resolved, where it is solved for certain; elsewhere it may never be due, and the
 /// plan says it. Nothing can be said while one of the sections that count is wrong.
 void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
-                     SceneFindings& findings) {
+                     const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
   if (scene.hasTissue() && scene.coupling.schedule != "everyStep") return;
   for (const std::string_view section :
        {SceneParameters::section, VesselParameters::section, FlowParameters::section, FoamSettings::section,
         LbmSettings::section})
     if (unreliableSection(findings, section)) return;
-  if (auto problem = resolutionProblem(scene, units))
+  if (auto problem = resolutionProblem(scene, units, loaded))
     blame(problem->key, std::move(problem->message), document, findings);
 }
 
@@ -239,7 +239,7 @@ double estimatedAgents(const Scene& scene) {
 }
 
 void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
-                SceneFindings& findings) {
+                const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
   const auto unreliable = [&findings](std::string_view key) {
     return findings.unreliable.contains(key) || findings.unreliable.contains(sectionOf(key));
   };
@@ -249,7 +249,7 @@ void checkScene(const Scene& scene, const SceneDocument& document, const Units& 
       blame(check.reads.front(), std::move(*message), document, findings);
   }
   checkFit(scene, document, findings);
-  checkResolution(scene, document, units, findings);
+  checkResolution(scene, document, units, loaded, findings);
 }
 
 }  // namespace restenosis

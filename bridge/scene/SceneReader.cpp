@@ -153,8 +153,8 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
     reader.finish(all);
   });
   resolve(scene, document);
-  takeLumenSurface(scene, document, units_, findings);
-  checkScene(scene, document, units_, findings);
+  const auto loaded = takeLumenSurface(scene, document, units_, findings);
+  checkScene(scene, document, units_, loaded, findings);
 
   if (findings.diagnostics.empty()) return scene;
   // In the order of the file; what comes from the command line last.

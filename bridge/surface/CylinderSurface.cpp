@@ -9,6 +9,8 @@ namespace restenosis {
 namespace {
 
 constexpr double fullTurn = 2 * std::numbers::pi;
+/// See `cylinderSpacing`.
+constexpr double usualSpacing = 20e-6, usualDiameter = 1.8e-3, mostLayers = 10000;
 
 /// Vertices around the axis at one height.
 struct Ring {
@@ -72,13 +74,24 @@ double cylinderRadius(const VesselParameters& vessel, double z) {
   return radius * (1 - 0.5 * vessel.stenosis * (1 + std::cos(fullTurn * offset / vessel.stenosisLength)));
 }
 
-TriSurface cylinderSurface(const VesselParameters& vessel, double spacing) {
-  if (!(spacing > 0)) throw std::invalid_argument("a cylinder surface needs a positive spacing");
+CylinderSpacing cylinderSpacing(const VesselParameters& vessel) {
+  const double around = usualSpacing * (vessel.lumenDiameter / usualDiameter);
+  return {around, std::clamp(vessel.length / mostLayers, around, std::max(around, usualSpacing))};
+}
+
+TriSurface cylinderSurface(const VesselParameters& vessel) {
+  return cylinderSurface(vessel, cylinderSpacing(vessel));
+}
+
+TriSurface cylinderSurface(const VesselParameters& vessel, const CylinderSpacing& spacing) {
+  if (!(spacing.around > 0 && spacing.along > 0))
+    throw std::invalid_argument("a cylinder surface needs a positive spacing");
   if (!(vessel.stenosis >= 0 && vessel.stenosis < 1))
     throw std::invalid_argument("a stenosis must leave some lumen: its depth must lie in [0, 1)");
   const double radius = 0.5 * vessel.lumenDiameter;
-  const auto corners = static_cast<std::uint32_t>(std::max(12L, std::lround(fullTurn * radius / spacing)));
-  const int layers = std::max(2, static_cast<int>(std::lround(vessel.length / spacing)));
+  const auto corners =
+      static_cast<std::uint32_t>(std::max(12L, std::lround(fullTurn * radius / spacing.around)));
+  const int layers = std::max(2, static_cast<int>(std::lround(vessel.length / spacing.along)));
   const double widening = std::sqrt((fullTurn / corners) / std::sin(fullTurn / corners));
 
   TriSurface s;
@@ -95,9 +108,10 @@ TriSurface cylinderSurface(const VesselParameters& vessel, double spacing) {
       s.triangles.push_back({a, d, c});
       s.region.insert(s.region.end(), 2, SurfaceRegion::wall);
     }
-  addCap(s, rings.front(), widening * cylinderRadius(vessel, 0), 0.0, spacing, false, SurfaceRegion::inlet);
-  addCap(s, rings.back(), widening * cylinderRadius(vessel, vessel.length), vessel.length, spacing, true,
-         SurfaceRegion::outlet);
+  addCap(s, rings.front(), widening * cylinderRadius(vessel, 0), 0.0, spacing.around, false,
+         SurfaceRegion::inlet);
+  addCap(s, rings.back(), widening * cylinderRadius(vessel, vessel.length), vessel.length, spacing.around,
+         true, SurfaceRegion::outlet);
   return s;
 }
 

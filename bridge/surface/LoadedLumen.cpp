@@ -131,9 +131,11 @@ void flatten(TriSurface& s, const LumenCap& end) {
     s.vertices[v] -= plane.normal.dot(s.vertices[v] - plane.centre) * plane.normal;
 }
 
-/// The two ends, or a refusal that says what was found.
+/// The two ends, or a refusal that says what was found. Where just two rims are open, these are the ends: the
+/// flat sides of a duct look like caps.
 std::vector<LumenCap> findEnds(TriSurface& s, std::vector<LumenCap> ends, std::size_t rims) {
-  if (ends.size() < 2 || rims > 0) {
+  const bool bothOpen = rims == 2 && ends.size() == 2;
+  if (!bothOpen && (ends.size() < 2 || rims > 0)) {
     std::vector<bool> taken(s.triangles.size(), false);
     for (const LumenCap& end : ends)
       for (const auto t : end.triangles) taken[t] = true;

@@ -59,6 +59,18 @@ RadialMap::RadialMap(const LumenField& field, int angles) : angles_(angles) {
   }
 }
 
+RadialMap RadialMap::ofRound(const std::function<double(double)>& radius, double length, double spacing,
+                             int angles) {
+  const LumenGrid planes(length, spacing, spacing);
+  RadialMap map;
+  map.angles_ = angles;
+  for (int k = 0; k < planes.nz; ++k) {
+    map.z_.push_back(planes.z(k));
+    map.radius_.insert(map.radius_.end(), angles, radius(planes.z(k)));
+  }
+  return map;
+}
+
 double RadialMap::angle(int index) const { return 2 * std::numbers::pi * index / angles_; }
 
 double RadialMap::interpolate(std::span<const double> byRay, const Vec3& point) const {

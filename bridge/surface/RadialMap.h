@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,10 @@ class RadialMap {
   /// Casts `angles` rays outwards in every plane of the field's nodes, up to the first point where the
   /// (bilinear) field is not positive. A ray that starts in tissue has radius 0.
   explicit RadialMap(const LumenField& field, int angles = 360);
+  /// The map of a lumen that is round: `radius` gives it [m] by axial position. Planes lie about `spacing`
+  /// [m] apart, the first and the last on the ends z = 0 and `length` [m].
+  static RadialMap ofRound(const std::function<double(double)>& radius, double length, double spacing,
+                           int angles = 360);
 
   int planes() const { return static_cast<int>(z_.size()); }
   int angles() const { return angles_; }

@@ -10,11 +10,13 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +34,8 @@ constexpr double mergedWithin = 1e-6;
 /// Distance from the middle of a surface, over that of half of its vertices, beyond which a vertex is astray
 /// (assumed).
 constexpr double farthest = 1e3;
+/// What single precision rounds by, relative, and most of that over a surface's width (assumed).
+constexpr double singleRounding = 0x1p-24, mostRounding = 1e-3;
 
 double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -57,9 +61,31 @@ void refuseStrayVertex(const StlTriangles& triangles, const std::filesystem::pat
       coordinates[0][v], coordinates[1][v], coordinates[2][v], v / 3 + 1, triangles.corners.size()));
 }
 
+/// So far from the origin, single precision does not tell places of a surface apart. Its width is that of a
+/// tube of its area, as long as its box; very far away no area is left.
+void refuseDistant(const StlTriangles& triangles, const std::filesystem::path& file) {
+  Eigen::AlignedBox3d box;
+  double area = 0.0, largest = 0.0;
+  for (const auto& corners : triangles.corners) {
+    const Eigen::Map<const Eigen::Matrix3d> points(corners.data());
+    for (int k = 0; k < 3; ++k) box.extend(points.col(k));
+    area += 0.5 * (points.col(1) - points.col(0)).cross(points.col(2) - points.col(0)).norm();
+    largest = std::max(largest, points.cwiseAbs().maxCoeff());
+  }
+  const double reach = box.diagonal().norm();
+  const double width = area > 0.0 ? area / (std::numbers::pi * reach) : reach;
+  if (singleRounding * largest <= mostRounding * width) return;
+  throw std::runtime_error(fmt::format(
+      "{} lies too far from the origin: single precision, in which binary STL files and results are kept, "
+      "rounds its coordinates, up to {:.4g}, by {:.2g}: more than {:g} of its width of about {:.3g}. Move it "
+      "to the origin",
+      file.string(), largest, singleRounding * largest, mostRounding, width));
+}
+
 /// The triangles with their solids as cell data; every vertex appears once a triangle.
 vtkNew<vtkPolyData> polygonsOf(const StlTriangles& triangles) {
   vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons;
   vtkNew<vtkIdTypeArray> solids;
   for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
@@ -170,6 +196,7 @@ TriSurface readStl(const std::filesystem::path& file, double metresPerUnit) {
 StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit) {
   const StlTriangles triangles = readStlTriangles(file);
   refuseStrayVertex(triangles, file);
+  refuseDistant(triangles, file);
   StlSolids result = weld(triangles, mergedWithin, metresPerUnit);
   if (result.surface.triangles.empty())
     throw std::runtime_error(fmt::format("{} holds no triangles that have an area", file.string()));

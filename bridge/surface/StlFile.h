@@ -34,6 +34,7 @@ struct StlSolids {
 /// Reads an STL file with its solids. Vertices closer than 1e-6 of the surface's extent (assumed: what seven
 /// digits leave) become one, and triangles that vanish by it are left out. Throws std::runtime_error like
 /// `readStlTriangles`, where a vertex is 1000 times as far from the middle as half of the others (assumed),
+/// where single precision rounds the largest coordinate by more than 0.001 of the surface's width (assumed),
 /// and where no triangle is left.
 StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit);
 

@@ -65,7 +65,7 @@ class StlTextParser {
   }
 
   void parseFacet() {
-    std::array<float, 9> corners{};
+    std::array<double, 9> corners{};
     require("outer", "'outer loop'");
     for (auto corner = corners.begin(); corner != corners.end(); corner += 3) {
       require("vertex", "'vertex'");
@@ -77,7 +77,7 @@ class StlTextParser {
     result_.solid.push_back(static_cast<std::uint32_t>(result_.names.size() - 1));
   }
 
-  void parseVertex(float* coordinates) {
+  void parseVertex(double* coordinates) {
     std::string_view rest = arguments_;
     for (int k = 0; k < 3; ++k) {
       if (rest.empty()) refuseLine("'vertex' and three numbers");
@@ -86,7 +86,7 @@ class StlTextParser {
     if (!rest.empty()) refuseLine("'vertex' and three numbers");
   }
 
-  float numberOf(std::string_view word) const {
+  double numberOf(std::string_view word) const {
     const char* const last = word.data() + word.size();
     const char* const first = word.starts_with('+') ? word.data() + 1 : word.data();
     double value = 0.0;
@@ -94,10 +94,10 @@ class StlTextParser {
     if (error == std::errc::invalid_argument || end != last)
       refuse(fmt::format("{} is not a number{}", shown(word),
                          word.find(',') == std::string_view::npos ? "" : ": its decimals need a point"));
-    const auto single = static_cast<float>(value);
-    if (error != std::errc() || !std::isfinite(single))
+    // As a binary file may hold: with larger ones squares would not be finite
+    if (error != std::errc() || !std::isfinite(static_cast<float>(value)))
       refuse(fmt::format("{} is not a finite number of single precision", shown(word)));
-    return single;
+    return value;
   }
 
   void require(std::string_view word, std::string_view expected) {

@@ -46,8 +46,9 @@ StlTriangles parseBinary(std::string_view content, const std::filesystem::path& 
   result.corners.resize(count);
   const char* next = content.data() + headerSize + bytesOfANormal;
   for (std::size_t t = 0; t < count; ++t, next += bytesOfATriangle) {
-    auto& corners = result.corners[t];
+    std::array<float, 9> corners{};
     std::memcpy(corners.data(), next, sizeof(corners));
+    std::copy(corners.begin(), corners.end(), result.corners[t].begin());
     if (!std::all_of(corners.begin(), corners.end(), [](float x) { return std::isfinite(x); }))
       refuse(file,
              fmt::format("has a vertex that is not a finite number, in triangle {} of {}", t + 1, count));

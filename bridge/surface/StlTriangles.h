@@ -8,11 +8,11 @@
 
 namespace restenosis {
 
-/// The triangles of an STL file as it has them, in its own unit.
+/// The triangles of an STL file as it has them, in its own unit: in single precision where it is binary.
 struct StlTriangles {
-  std::vector<std::array<float, 9>> corners;  ///< x, y, z of each of three corners
-  std::vector<std::uint32_t> solid;           ///< one a triangle
-  std::vector<std::string> names;             ///< by solid; empty texts where the file names none
+  std::vector<std::array<double, 9>> corners;  ///< x, y, z of each of three corners
+  std::vector<std::uint32_t> solid;            ///< one a triangle
+  std::vector<std::string> names;              ///< by solid; empty texts where the file names none
 };
 
 /// Reads an STL file, binary or ASCII. A binary file may begin with "solid" too: what is ASCII has no control

@@ -104,6 +104,15 @@ TEST_F(WrongLumen, LongerThanAnyVessel) {
                 {"loaded.toml:6: 'lumenSurface' in [vessel]", "1200 mm apart", "at most 1000 mm"});
 }
 
+TEST_F(WrongLumen, TooNarrowForItsCells) {
+  write(tube(0.1e-3, 1e-3));
+  const std::string said = "a lumen of 0.2 mm has 3.3 cells across, at least 8 are needed";
+  expectRefused(loadedScene, {"'cellSize' in [foam] is 60 um", said});
+  const ProcessEnd checked = run({"check", scene("loaded", loadedScene)});
+  EXPECT_EXIT_STATUS(checked, 2);
+  EXPECT_NE(checked.err.find(said), std::string::npos) << checked.err;
+}
+
 TEST_F(WrongLumen, NotANumber) {
   TriSurface broken = good;
   broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
@@ -125,7 +134,7 @@ TEST_F(WrongLumen, NotWithTissueNorStenosis) {
 
 TEST_F(WrongLumen, NarrowerThanTheSpacingOfOtherLumensIsNone) {
   write(tube(0.06e-3, 0.5e-3));
-  const ProcessEnd end = run({"check", scene("loaded", loadedScene)});
+  const ProcessEnd end = run({"check", scene("loaded", loadedScene), "--flow", "analytic"});
   EXPECT_EXIT_STATUS(end, 0);
 }
 

@@ -84,6 +84,21 @@ TEST_F(LoadedLumen, OpenEndsAreCapped) {
   expectEnds(load(tube(vesselRadius, 2e-3), oneOpen), Vec3(0, 0, 0), Vec3(0, 0, 2e-3));
 }
 
+TEST_F(LoadedLumen, TwoOpenRimsAreTheEndsWhateverElseIsFlat) {
+  const TriSurface duct = revolve({{vesselRadius, 0}, {vesselRadius, 2e-3}}, 4);
+  const SurfaceRegion wall[] = {SurfaceRegion::wall};
+  const TriSurface lumen = load(duct, wall);
+  EXPECT_NO_THROW(requireLumenWithPlanarEnds(lumen));
+  EXPECT_NEAR((endPlane(lumen, SurfaceRegion::inlet).centre - Vec3(0, 0, 0)).norm(), 0.0, 1e-8);
+  EXPECT_NEAR((endPlane(lumen, SurfaceRegion::outlet).centre - Vec3(0, 0, 2e-3)).norm(), 0.0, 1e-8);
+  EXPECT_EQ(std::ranges::count(lumen.region, SurfaceRegion::wall), 8);
+
+  EXPECT_SAYS(refusal(duct), "but 6 were found (0 of them open)");
+  const SurfaceRegion oneOpen[] = {SurfaceRegion::wall, SurfaceRegion::inlet};
+  writeStl(file, duct, 1e-3, oneOpen);
+  EXPECT_SAYS(refusalOfFile(), "but 6 were found (1 of them open)");
+}
+
 TEST_F(LoadedLumen, NormalsAreTurnedOutwards) {
   TriSurface inside = tube(vesselRadius, 2e-3);
   for (auto& t : inside.triangles) std::swap(t[0], t[1]);
@@ -243,6 +258,29 @@ TEST_F(LoadedLumen, AVertexFarFromAllOthersIsNamed) {
     EXPECT_SAYS(refusal(astray),
                 z > 1e3 ? ", 0, 3e+38) in triangle 1026 of 3328" : ", 0, 30000) in triangle");
     EXPECT_SAYS(refusalOfFile(), "has a vertex far from all others");
+  }
+}
+
+TEST_F(LoadedLumen, AsciiFilesKeepTheirPlaceFarFromTheOrigin) {
+  const double away = 10.0;  // where single precision tells 1 um apart
+  const TriSurface good = tube(vesselRadius, 2e-3);
+  writeNamedStl(file, moved(good, motionTo(Vec3(0, 0, 1), Vec3(away, away, 0))), 1e-3);
+  const TriSurface lumen = loadLumen(file, 1e-3);
+  double departure = 0.0;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+    if (lumen.region[t] == SurfaceRegion::wall)
+      for (const auto v : lumen.triangles[t])
+        departure = std::max(departure, std::abs((lumen.vertices[v] - Vec3(away, away, 0)).head<2>().norm() -
+                                                 good.vertices[0].head<2>().norm()));
+  EXPECT_LT(departure, 1e-7);  // nine digits; in single precision it is 5e-7
+}
+
+TEST_F(LoadedLumen, WhatLiesTooFarFromTheOriginIsRefused) {
+  for (const double away : {100.0, 1e4, 1e6}) {  // [m]
+    const TriSurface distant = moved(tube(vesselRadius, 2e-3), motionTo(Vec3(1, 2, 3), Vec3(away, 0, 0)));
+    EXPECT_SAYS(refusal(distant), "lies too far from the origin: single precision");
+    writeNamedStl(file, distant, 1e-3);
+    EXPECT_SAYS(refusalOfFile(), "lies too far from the origin");
   }
 }
 

@@ -28,6 +28,21 @@ TEST(RadialMap, MeasuresACylinder) {
   EXPECT_NEAR(map.minimalArea(), std::numbers::pi * 16, 0.1);
 }
 
+TEST(RadialMap, OfARoundLumenIsExact) {
+  const auto radius = [](double z) { return 3 + z / 8; };
+  const RadialMap map = RadialMap::ofRound(radius, 10, 0.25);
+  ASSERT_EQ(map.planes(), 41);
+  EXPECT_EQ(map.z(40), 10);
+  for (const int k : {0, 7, 40}) {
+    EXPECT_EQ(map.radius(k, 123), radius(map.z(k)));
+    EXPECT_NEAR(map.lumenArea(k), std::numbers::pi * radius(map.z(k)) * radius(map.z(k)), 1e-12);
+  }
+  const RadialMap sampled(LumenField::fromFunction(
+      [&](const Vec3& p) { return radius(p.z()) - std::hypot(p.x(), p.y()); }, 10, 6, 0.25));
+  EXPECT_TRUE(map.comparable(sampled));
+  EXPECT_LT(displacement(map, sampled).largest, 0.005);
+}
+
 TEST(RadialMap, SmallestCrossSectionIsThatOfTheSectionAskedFor) {
   // Narrowest at z = 0, and again, less so, at z = 8.
   const auto radius = [](double z) {

@@ -123,6 +123,29 @@ TEST_F(SceneChecksTest, TheFlowCanBeResolved) {
   EXPECT_EQ(finding(vessel + "[flow]\nbackend = \"none\"\n[foam]\ncellSize = \"5 um\"\n"), "accepted");
 }
 
+TEST_F(SceneChecksTest, ATubeOfExactlyTheLeastWidthWillDo) {
+  const std::string foam = vessel + "[flow]\n[foam]\n";  // lines 6 and 7; the template's least is 8 cells
+  EXPECT_EQ(finding(foam + "cellSize = \"225 um\"\n"), "accepted");
+  EXPECT_STARTS(
+      finding(foam + "cellSize = \"230 um\"\n"),
+      "x.toml:8: 'cellSize' in [foam] is 230 um: a lumen of 1.8 mm has 7.8 cells across, at least 8");
+  // A wall of agents may come out wider
+  const std::string tissue = "[mechanics]\n[coupling]\nschedule = \"everyStep\"\n";
+  EXPECT_EQ(finding(foam + "cellSize = \"230 um\"\n" + tissue), "accepted");
+}
+
+TEST_F(SceneChecksTest, TheVesselIsLongEnoughForItsFlow) {
+  const std::string shorter = "[vessel]\nlength = \"0.01 mm\"\nlumenDiameter = \"1.8 mm\"\n[flow]\n";
+  EXPECT_STARTS(finding(shorter),
+                "x.toml:4: a lumen of 0.01 mm length has 0.17 cells along it, at least 0.5 are needed: "
+                "'cellSize' in [foam] is 60 um");
+  EXPECT_STARTS(finding(shorter + "backend = \"lbm\"\n"),
+                "x.toml:4: a lumen of 0.01 mm length has 0.5 nodes along it, at least 3 are needed: 'dx' in "
+                "[lbm] is 20 um");
+  EXPECT_EQ(finding(shorter + "straightEnds = \"0.1 mm\"\n"), "accepted");
+  EXPECT_EQ(finding(shorter + "backend = \"analytic\"\n"), "accepted");
+}
+
 TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
   EXPECT_STARTS(finding(vessel + "[mechanics]\n[cellCycle]\ng1Spread = \"6 h\"\n"),
                 "x.toml:8: 'g1Spread' is 6 h");
@@ -132,8 +155,9 @@ TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
   EXPECT_EQ(finding(cycle), "accepted");
   EXPECT_STARTS(finding(cycle + "nitricOxideTransition = \"0.1 Pa\"\n"),
                 "x.toml:9: nitric oxide would fall with wall shear stress above 'nitricOxideTransition'");
-  EXPECT_STARTS(finding(vessel + "[coupling]\nsurfaceResolution = \"200 um\"\n"),
-                "x.toml:7: 'surfaceResolution' is 200 um");
+  const std::string coarse = "[coupling]\nsurfaceResolution = \"200 um\"\n";
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n" + coarse), "x.toml:8: 'surfaceResolution' is 200 um");
+  EXPECT_EQ(finding(vessel + coarse), "accepted");  // a tube has its own triangles
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct StlFile : testing::Test {
   TriSurface surface;
   StlFile() {
     vessel.length = 1e-3;
-    surface = cylinderSurface(vessel, 100e-6);
+    surface = cylinderSurface(vessel, {100e-6, 100e-6});
   }
   ~StlFile() override { std::filesystem::remove(file); }
 

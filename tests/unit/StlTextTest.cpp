@@ -47,8 +47,8 @@ std::string refusalOfStlText(std::string_view text) {
 void expectTwoSolids(std::string_view text) {
   const StlTriangles read = parseStlText(text, "x.stl");
   ASSERT_EQ(read.corners.size(), 2u);
-  EXPECT_EQ(read.corners[0], (std::array<float, 9>{0, 0, 0, 1.5f, 0, -2e-3f, 0, 1, 0}));
-  EXPECT_EQ(read.corners[1][8], 7.0f);
+  EXPECT_EQ(read.corners[0], (std::array<double, 9>{0, 0, 0, 1.5, 0, -2e-3, 0, 1, 0}));
+  EXPECT_EQ(read.corners[1][8], 7.0);
   EXPECT_EQ(read.solid, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(read.names, (std::vector<std::string>{"the inlet", ""}));
 }
@@ -58,6 +58,11 @@ TEST(StlText, SolidsAreRead) {
   expectTwoSolids(replaced(twoSolids, "\n", "\r\n"));
   expectTwoSolids(replaced(twoSolids, "\n", "\r"));
   expectTwoSolids(replaced(twoSolids, "facet normal", "color 1 0 0\nfacet normal"));
+}
+
+TEST(StlText, NumbersKeepTheirDigits) {
+  const StlTriangles read = parseStlText(replaced(twoSolids, "1.5", "100000.123456789"), "x.stl");
+  EXPECT_EQ(read.corners[0][3], 100000.123456789);
 }
 
 TEST(StlText, WordsMayBeInAnyCase) {

@@ -13,7 +13,7 @@ struct SurfaceCheck : testing::Test {
   TriSurface surface;
   SurfaceCheck() {
     vessel.length = 1e-3;
-    surface = cylinderSurface(vessel, 100e-6);
+    surface = cylinderSurface(vessel, {100e-6, 100e-6});
   }
   std::string verdict() const { return checkSurface(surface, vessel.length).summary(); }
   bool says(const char* text) const { return verdict().find(text) != std::string::npos; }

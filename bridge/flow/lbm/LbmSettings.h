@@ -18,6 +18,8 @@ struct LbmSettings {
       "Settings of the lattice Boltzmann backend; dx follows scene.fidelity where it is not given";
   /// Fewest nodes across the inlet.
   static constexpr double leastNodesAcross = 8;
+  /// Fewest along the lumen: with two layers, of which each is an end, the flow diverges.
+  static constexpr double leastNodesAlong = 3;
 
   double dx = 15e-6;                   ///< lattice spacing [m]
   std::string collision = "trt";       ///< trt or bgk
