@@ -22,14 +22,33 @@ TEST(AnalyticBackend, poiseuilleInATube) {
   }
 }
 
-TEST(AnalyticBackend, narrowingHasTheOppositeEffectUnderTheTwoDrives) {
-  const auto narrowed = revolve({{0.9e-3, 0}, {0.9e-3, 0.4e-3}, {0.45e-3, 0.5e-3}, {0.45e-3, 1e-3}});
+/// A tube that narrows to half its radius on its way.
+TriSurface narrowedTube() {
+  return revolve({{0.9e-3, 0}, {0.9e-3, 0.4e-3}, {0.45e-3, 0.5e-3}, {0.45e-3, 1e-3}});
+}
+
+TEST(AnalyticBackend, aNarrowingFeelsEightTimesTheStressAtAGivenFlowRate) {
+  const auto solution = AnalyticBackend().solve(narrowedTube(), vesselConditions(), {});
+  EXPECT_NEAR(stressError(solution, 8.0 * vesselStress(), 0.6e-3, 0.9e-3).mean, 0.0, 1e-9);
+}
+
+TEST(AnalyticBackend, oneFlowRatePassesAllCrossSectionsAtAGivenPressureGradient) {
   FlowConditions conditions = vesselConditions();
-  const auto fixedFlow = AnalyticBackend().solve(narrowed, conditions, {});
-  EXPECT_NEAR(stressError(fixedFlow, 8.0 * vesselStress(), 0.6e-3, 0.9e-3).mean, 0.0, 1e-9);
   conditions.drive = FlowConditions::Drive::pressureGradient;
-  const auto fixedGradient = AnalyticBackend().solve(narrowed, conditions, {});
-  EXPECT_NEAR(stressError(fixedGradient, 0.5 * vesselStress(), 0.6e-3, 0.9e-3).mean, 0.0, 1e-9);
+  const auto solution = AnalyticBackend().solve(narrowedTube(), conditions, {});
+  // Integral of (R0 / R)^4 over the wide part, the cone between the two radii, and the narrow part
+  const double resistance = 0.4e-3 + 0.1e-3 * (8.0 - 1.0) / (3.0 * 0.5) + 16.0 * 0.5e-3;
+  const double wide = vesselStress() * 1e-3 / resistance;
+  EXPECT_NEAR(stressError(solution, wide, 0, 0.3e-3).mean, 0.0, 1e-3);
+  EXPECT_NEAR(stressError(solution, 8.0 * wide, 0.6e-3, 0.9e-3).mean, 0.0, 1e-3);
+  EXPECT_NEAR(solution.pressureDrop / (conditions.pressureGradient * 1e-3), 1.0, 1e-9);
+}
+
+TEST(AnalyticBackend, aVesselNarrowedAllAlongFeelsLessAtAGivenPressureGradient) {
+  FlowConditions conditions = vesselConditions();
+  conditions.drive = FlowConditions::Drive::pressureGradient;
+  const auto solution = AnalyticBackend().solve(tube(0.5 * vesselRadius, vesselLength), conditions, {});
+  EXPECT_LT(stressError(solution, 0.5 * vesselStress(), 0, vesselLength).maximum, 1e-9);
 }
 
 TEST(AnalyticBackend, strutsKeepTheirRegionAndAcrossFacesCarryNothing) {

@@ -38,8 +38,13 @@ class RadiusProfile {
     const double f = x - static_cast<double>(i);
     return (1.0 - f) * radii_[i] + f * radii_[i + 1];
   }
-  const std::vector<double>& radii() const { return radii_; }
-  double spacing() const { return spacing_; }
+  double length() const { return spacing_ * static_cast<double>(radii_.size()); }
+  /// Pressure lost along the lumen for a unit flow rate [Pa s/m^3].
+  double resistance(double viscosity) const {
+    double sum = 0.0;
+    for (const double radius : radii_) sum += spacing_ * 8.0 * viscosity / (pi * std::pow(radius, 4));
+    return sum;
+  }
 
  private:
   double first_ = 0.0, spacing_ = 0.0;
@@ -66,7 +71,11 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
   }
   const RadiusProfile profile(lumen, stations_);
   const double mu = conditions.dynamicViscosity();
-  const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
+  const double resistance = profile.resistance(mu);
+  // What flows in flows out: one flow rate for all cross-sections, whatever drives it
+  const double flowRate = conditions.drive == FlowConditions::Drive::flowRate
+                              ? conditions.flowRate
+                              : conditions.pressureGradient * profile.length() / resistance;
 
   FlowSolution solution;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
@@ -75,14 +84,10 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
     const double area = areaVector.norm();
     if (!(area > 0.0)) continue;
     const double radius = profile(lumen.centre(i).z());
-    const double stress = fixedFlow ? 4.0 * mu * conditions.flowRate / (pi * radius * radius * radius)
-                                    : 0.5 * radius * conditions.pressureGradient;
+    const double stress = 4.0 * mu * flowRate / (pi * radius * radius * radius);
     solution.wall.push_back({lumen.centre(i), area, stress * alongAxis(areaVector / area), lumen.region[i]});
   }
-  for (const double radius : profile.radii())
-    solution.pressureDrop +=
-        profile.spacing() * (fixedFlow ? 8.0 * mu * conditions.flowRate / (pi * std::pow(radius, 4))
-                                       : conditions.pressureGradient);
+  solution.pressureDrop = flowRate * resistance;
   return solution;
 }
 
