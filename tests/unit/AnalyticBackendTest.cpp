@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "AnalyticBackend.h"
 #include "Constants.h"
 #include "FlowSupport.h"
@@ -49,6 +52,37 @@ TEST(AnalyticBackend, aVesselNarrowedAllAlongFeelsLessAtAGivenPressureGradient) 
   conditions.drive = FlowConditions::Drive::pressureGradient;
   const auto solution = AnalyticBackend().solve(tube(0.5 * vesselRadius, vesselLength), conditions, {});
   EXPECT_LT(stressError(solution, 0.5 * vesselStress(), 0, vesselLength).maximum, 1e-9);
+}
+
+TEST(AnalyticBackend, longTrianglesHaveTheStressOfEachPlace) {
+  const double length = 10e-3;
+  const auto solution = AnalyticBackend().solve(revolve({{vesselRadius, 0}, {0.6 * vesselRadius, length}}),
+                                                vesselConditions(), {});
+  const auto expected = [&](const Vec3& p) {
+    return vesselStress() / std::pow(1.0 - 0.4 * p.z() / length, 3);
+  };
+  EXPECT_LT(stressError(solution, expected, vesselStress(), 0.05 * length, 0.95 * length).maximum, 1e-3);
+  for (const double z : {0.05, 0.95})
+    EXPECT_TRUE(std::ranges::any_of(solution.wall, [&](const WallFace& f) {
+      return std::abs(f.centre.z() - z * length) < 0.02 * length;
+    })) << z;
+  double area = 0.0;
+  for (const auto& face : solution.wall) area += face.area;
+  EXPECT_NEAR(area / (1.6 * pi * vesselRadius * std::hypot(length, 0.4 * vesselRadius)), 1.0, 1e-3);
+}
+
+TEST(AnalyticBackend, shortTrianglesStayWhole) {
+  const TriSurface lumen = tube(vesselRadius, vesselLength);
+  const auto solution = AnalyticBackend().solve(lumen, vesselConditions(), {});
+  std::size_t face = 0;
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
+    if (lumen.region[t] != SurfaceRegion::wall) continue;
+    ASSERT_LT(face, solution.wall.size());
+    EXPECT_EQ(solution.wall[face].centre, lumen.centre(t));
+    EXPECT_EQ(solution.wall[face].area, lumen.areaVector(t).norm());
+    ++face;
+  }
+  EXPECT_EQ(face, solution.wall.size());
 }
 
 TEST(AnalyticBackend, strutsKeepTheirRegionAndAcrossFacesCarryNothing) {

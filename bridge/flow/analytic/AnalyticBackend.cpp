@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "FlowBackendNames.h"
 #include "LumenShape.h"
+#include "TrianglePieces.h"
 
 namespace restenosis {
 namespace {
 
 using std::numbers::pi;
+
+/// Longest piece of a triangle that gets a stress of its own, over the mean radius (assumed).
+constexpr double longestPiece = 0.25;
 
 /// Radius of the circle with the cross-section's area, along the vessel.
 class RadiusProfile {
@@ -37,6 +42,9 @@ class RadiusProfile {
     const auto i = std::min(static_cast<std::size_t>(x), radii_.size() - 2);
     const double f = x - static_cast<double>(i);
     return (1.0 - f) * radii_[i] + f * radii_[i + 1];
+  }
+  double meanRadius() const {
+    return std::accumulate(radii_.begin(), radii_.end(), 0.0) / static_cast<double>(radii_.size());
   }
   double length() const { return spacing_ * static_cast<double>(radii_.size()); }
   /// Pressure lost along the lumen for a unit flow rate [Pa s/m^3].
@@ -83,9 +91,14 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
     const Vec3 areaVector = lumen.areaVector(i);
     const double area = areaVector.norm();
     if (!(area > 0.0)) continue;
-    const double radius = profile(lumen.centre(i).z());
-    const double stress = 4.0 * mu * flowRate / (pi * radius * radius * radius);
-    solution.wall.push_back({lumen.centre(i), area, stress * alongAxis(areaVector / area), lumen.region[i]});
+    const Vec3 direction = alongAxis(areaVector / area);
+    const auto& [a, b, c] = lumen.triangles[i];
+    forEachPieceOf({lumen.vertices[a], lumen.vertices[b], lumen.vertices[c]},
+                   longestPiece * profile.meanRadius(), [&](const Vec3& centre, double pieceArea) {
+                     const double radius = profile(centre.z());
+                     const double stress = 4.0 * mu * flowRate / (pi * radius * radius * radius);
+                     solution.wall.push_back({centre, pieceArea, stress * direction, lumen.region[i]});
+                   });
   }
   solution.pressureDrop = flowRate * resistance;
   return solution;
