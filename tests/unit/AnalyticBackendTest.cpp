@@ -85,6 +85,35 @@ TEST(AnalyticBackend, shortTrianglesStayWhole) {
   EXPECT_EQ(face, solution.wall.size());
 }
 
+/// A straight round tube whose axis leans by an angle from the normal of its ends.
+TriSurface leaningTube(double angle, double length) {
+  TriSurface lumen = tube(vesselRadius, length);
+  for (Vec3& v : lumen.vertices) v.x() = v.x() / std::cos(angle) + v.z() * std::tan(angle);
+  return lumen;
+}
+
+TEST(AnalyticBackend, obliqueEndsDoNotChangeTheStressOfATube) {
+  for (const double degrees : {10.0, 30.0, 45.0}) {
+    const double angle = degrees * pi / 180;
+    const auto solution = AnalyticBackend().solve(leaningTube(angle, 4e-3), vesselConditions(), {});
+    EXPECT_LT(stressError(solution, vesselStress(), 0, 4e-3).maximum, 1e-6) << degrees;
+    const Vec3 axis(std::sin(angle), 0, std::cos(angle));
+    for (const auto& face : solution.wall) ASSERT_NEAR(face.traction.normalized().dot(axis), 1.0, 1e-9);
+    EXPECT_NEAR(solution.pressureDrop / (vesselConditions().pressureGradient * 4e-3 / std::cos(angle)), 1.0,
+                1e-6);
+  }
+}
+
+TEST(AnalyticBackend, theAxisFollowsALumenThatBendsBetweenParallelEnds) {
+  TriSurface lumen = tube(0.25 * vesselRadius, 8e-3, 160);
+  for (Vec3& v : lumen.vertices) v.x() += 0.5e-3 * (1 - std::cos(pi * v.z() / 8e-3));
+  const auto solution = AnalyticBackend().solve(lumen, vesselConditions(), {});
+  const double slope = 0.5e-3 * pi / 8e-3;  // half way; the planes of constant z cut circles
+  const double stress = 64.0 * vesselStress() * std::pow(1 + slope * slope, 0.75);
+  EXPECT_NEAR(stressError(solution, stress, 3.8e-3, 4.2e-3).mean, 0.0, 1e-3);
+  EXPECT_NEAR(stressError(solution, 64.0 * vesselStress(), 0, 0.1e-3).mean, 0.0, 2e-3);
+}
+
 TEST(AnalyticBackend, strutsKeepTheirRegionAndAcrossFacesCarryNothing) {
   const auto solution =
       AnalyticBackend().solve(stentedTube(vesselRadius, vesselLength, 90e-6), vesselConditions(), {});
