@@ -19,6 +19,19 @@ TEST(Plan, CountsTheAgentsOfALoadedWall) {
   EXPECT_NE(text.find("\n3 agents, "), std::string::npos) << text;
 }
 
+TEST(Plan, CallsTheIelIntactOnlyOfAPackedWall) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.mechanics.emplace();
+  scene.cellCycle.emplace();
+  scene.endothelium.emplace();
+  scene.flow.emplace().backend = "analytic";
+  EXPECT_NE(planText(scene).find("the IEL is intact"), std::string::npos) << planText(scene);
+  scene.vessel.agents = (folder.path() / "w.csv").string();
+  writeText(scene.vessel.agents, "x,y,z,radius\n915,0,100,15\n945,0,100,15\n");
+  EXPECT_EQ(planText(scene).find("the IEL is intact"), std::string::npos) << planText(scene);
+}
+
 TEST(Plan, EstimatesTheAgentsOfAPackedWall) {
   Scene scene;
   EXPECT_EQ(planText(scene).find(" agents, "), std::string::npos);
