@@ -16,8 +16,11 @@
 namespace restenosis {
 namespace {
 
-/// How many times larger or smaller than `lumenDiameter` an inlet may be (assumed): a mistaken unit is 1000.
+/// How many times larger or smaller than `lumenDiameter` an inlet may be, and than `length` a straight lumen
+/// (assumed): a mistaken unit is 1000.
 constexpr double plausibleRatio = 3.0;
+
+bool implausible(double ratio) { return ratio > plausibleRatio || ratio < 1.0 / plausibleRatio; }
 
 void blame(std::string_view section, std::string_view key, const std::string& message,
            const SceneDocument& document, SceneFindings& findings) {
@@ -83,23 +86,31 @@ void takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& 
 
   const double diameter = endDiameter(lumen, SurfaceRegion::inlet);
   if (!gives(document, "lumenDiameter")) vessel.lumenDiameter = diameter;
-  const double ratio = diameter / vessel.lumenDiameter;
-  if (ratio > plausibleRatio || ratio < 1.0 / plausibleRatio)
+  if (implausible(diameter / vessel.lumenDiameter))
     blameVessel(
         "lumenSurfaceUnit",
         fmt::format("in {} the inlet of the surface is {:.4g} mm wide, but 'lumenDiameter' is {:.4g} mm",
                     vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
                     units.fromSi(vessel.lumenDiameter, "mm")));
-  if (!gives(document, "length")) {
-    vessel.length =
-        (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre).norm();
+  const bool straight = frameAlongZ(lumen).has_value();
+  const double length =
+      (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre).norm();
+  // Along a bent lumen the distance between its ends says little
+  if (gives(document, "length")) {
+    if (straight && implausible(length / vessel.length))
+      blameVessel("length",
+                  fmt::format("the ends of 'lumenSurface' are {:.4g} mm apart, but 'length' is {:.4g} mm; "
+                              "leave it out, or correct it or 'lumenSurfaceUnit'",
+                              units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
+  } else {
+    vessel.length = length;
     if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
       blameVessel("lumenSurface", problem);
   }
 
   const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
                         scene.flow->backend == flowBackendNames::none;
-  if (!anyShape && !frameAlongZ(lumen))
+  if (!anyShape && !straight)
     blame(
         FlowParameters::section, "backend",
         fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",
