@@ -3,6 +3,7 @@
 #include <string>
 
 #include "Plan.h"
+#include "SecondsPerDay.h"
 #include "TemporaryFolder.h"
 
 namespace restenosis {
@@ -22,6 +23,7 @@ TEST(Plan, CountsTheAgentsOfALoadedWall) {
 TEST(Plan, CallsTheIelIntactOnlyOfAPackedWall) {
   const TemporaryFolder folder;
   Scene scene;
+  scene.scene.duration = 5 * secondsPerDay;
   scene.mechanics.emplace();
   scene.cellCycle.emplace();
   scene.endothelium.emplace();
