@@ -30,7 +30,9 @@ struct CostEstimate {
   double growSecondsPerStep = 1.5e-6;  ///< per agent
 };
 
+/// Only of a packed wall: a loaded one may have gaps in its IEL, or none at all.
 bool nothingCanBeExposed(const Scene& scene) {
+  if (!scene.vessel.agents.empty()) return false;
   const bool breached = scene.injury && (scene.injury->removeIel || scene.stent);
   return !breached;
 }

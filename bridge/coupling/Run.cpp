@@ -8,6 +8,7 @@
 #include "CyclePart.h"
 #include "Deployment.h"
 #include "EndotheliumPart.h"
+#include "EscapedAgents.h"
 #include "ExposurePart.h"
 #include "FlowBackends.h"
 #include "FlowForecast.h"
@@ -187,6 +188,12 @@ void Run::deploy() {
     }
     world_.stent = deployment.stent();
     world_.deployment = deployment.statistics();
+    if (const std::string escaped = remarkOnEscaped(*world_.deployment, deployment.steps());
+        !escaped.empty()) {
+      world_.remarks.push_back(escaped);
+      world_.progress.message(escaped);
+    }
+    requireWallOutsideStruts(*world_.deployment, deployment.steps());
     if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
       world_.remarks.push_back(
           fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "

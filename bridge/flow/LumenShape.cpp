@@ -141,8 +141,8 @@ bool liesAlongZ(const TriSurface& lumen) {
   return low < high;
 }
 
-std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations) {
-  std::vector<double> areas(stations.size(), 0.0);
+std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const double> stations) {
+  std::vector<CrossSection> sections(stations.size(), {0.0, Vec3::Zero()});
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     const auto& t = lumen.triangles[i];
     const Vec3 outward = lumen.areaVector(i);
@@ -164,9 +164,21 @@ std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const d
       if (count < 2) continue;
       const double turn = cut[0].x() * cut[1].y() - cut[1].x() * cut[0].y();
       const bool counterclockwise = (cut[1] - cut[0]).dot(Vec3::UnitZ().cross(outward)) >= 0.0;
-      areas[s] += counterclockwise ? 0.5 * turn : -0.5 * turn;
+      const double area = counterclockwise ? 0.5 * turn : -0.5 * turn;
+      sections[s].area += area;
+      sections[s].centre += area / 3.0 * (cut[0] + cut[1]);
     }
   }
+  for (std::size_t s = 0; s < stations.size(); ++s) {
+    sections[s].centre /= sections[s].area;
+    sections[s].centre.z() = stations[s];
+  }
+  return sections;
+}
+
+std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations) {
+  std::vector<double> areas;
+  for (const CrossSection& section : crossSections(lumen, stations)) areas.push_back(section.area);
   return areas;
 }
 

@@ -41,8 +41,17 @@ void requireLumenWithPlanarEnds(const TriSurface& lumen);
 /// it lies between them.
 bool liesAlongZ(const TriSurface& lumen);
 
-/// Area of the lumen [m^2] in each plane z = stations[i] [m]: the signed area of the contour in which the
-/// plane cuts the surface, so islands count negative.
+/// A lumen in a plane of constant z.
+struct CrossSection {
+  double area;  ///< [m^2]
+  Vec3 centre;  ///< centroid [m]; not a number where there is no area
+};
+
+/// The lumen in each plane z = stations[i] [m]: the signed area of the contour in which the plane cuts the
+/// surface, so islands count negative, and its centroid.
+std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const double> stations);
+
+/// The areas of crossSections alone [m^2].
 std::vector<double> crossSectionAreas(const TriSurface& lumen, std::span<const double> stations);
 
 }  // namespace restenosis

@@ -32,7 +32,9 @@ Json orNull(const std::optional<double>& value, double scale = 1) {
 Json deployment(const Summary& summary) {
   if (!summary.deployment) return nullptr;
   const DeploymentStatistics& wall = *summary.deployment;
-  return {{"agentsLumenwardOfStruts", wall.escaped},
+  return {{"freeAgentsInTheWayOfStruts", wall.freeInTheWay},
+          {"agentsLumenwardOfStruts", wall.escaped},
+          {"freeAgentsLumenwardOfStruts", wall.escapedFree},
           {"cellsOutsideEel", wall.outside},
           {"ielRadiusUnderStruts_um", orNull(wall.ielUnderStrut, 1e6)},
           {"ielToEelUnderStruts_um", orNull(wall.laminaDistance, 1e6)},

@@ -18,8 +18,14 @@
 namespace restenosis {
 namespace {
 
-/// How many times larger or smaller than `lumenDiameter` an inlet may be (assumed): a mistaken unit is 1000.
+/// How many times larger or smaller than `lumenDiameter` an inlet may be, and than `length` a straight lumen
+/// (assumed): a mistaken unit is 1000.
 constexpr double plausibleRatio = 3.0;
+
+bool implausible(double ratio) { return ratio > plausibleRatio || ratio < 1.0 / plausibleRatio; }
+
+/// A wall is as long as the lumen that it is built around; a given length may be rounded (assumed).
+constexpr double sameLength = 0.01;
 
 void blame(std::string_view section, std::string_view key, const std::string& message,
            const SceneDocument& document, SceneFindings& findings) {
@@ -122,27 +128,37 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
   const LoadedExtent extent = extentOf(lumen);
   const double diameter = extent.diameter;
   if (!gives(document, "lumenDiameter")) vessel.lumenDiameter = diameter;
-  const double ratio = diameter / vessel.lumenDiameter;
-  if (ratio > plausibleRatio || ratio < 1.0 / plausibleRatio)
+  if (implausible(diameter / vessel.lumenDiameter))
     blameVessel(
         "lumenSurfaceUnit",
         fmt::format("in {} the inlet of the surface is {:.4g} mm wide, but 'lumenDiameter' is {:.4g} mm",
                     vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
                     units.fromSi(vessel.lumenDiameter, "mm")));
-  if (!gives(document, "length")) {
-    vessel.length = distanceOfEnds(lumen);
+  const bool straight = frameAlongZ(lumen).has_value();
+  const double length = distanceOfEnds(lumen);
+  // Along a bent lumen the distance between its ends says little
+  if (gives(document, "length")) {
+    if (scene.hasTissue() ? std::abs(length / vessel.length - 1.0) > sameLength
+                          : straight && implausible(length / vessel.length))
+      blameVessel("length",
+                  fmt::format("the ends of 'lumenSurface' are {:.4g} mm apart, but 'length' is {:.4g} mm; "
+                              "leave it out, or correct it or 'lumenSurfaceUnit'",
+                              units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
+  } else {
+    vessel.length = length;
     if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
       blameVessel("lumenSurface", problem);
   }
 
   if (scene.hasTissue()) {
+    vessel.length = length;  // to the last digit: the wall ends where the lumen does
     checkWall(scene, blameVessel);
     return extent;
   }
 
   const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
                         scene.flow->backend == flowBackendNames::none;
-  if (!anyShape && !frameAlongZ(lumen))
+  if (!anyShape && !straight)
     blame(
         FlowParameters::section, "backend",
         fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",

@@ -1,17 +1,20 @@
-// Deployments as no one should ask for them. All of them must succeed, but for a wall that cannot be packed.
+// Deployments as no one should ask for them: they succeed, or they are stopped with the setting to change.
 
 #include <gtest/gtest.h>
 
 #include "Deployment.h"
+#include "EscapedAgents.h"
 #include "SmallDeployment.h"
 #include "WallPacking.h"
+#include "WholeProgram.h"
 
 namespace restenosis {
 namespace {
 
 using Setting = support::SmallDeployment;
 
-/// Deploys, every step of it to rest, and expects a wall that is whole.
+/// Deploys, every step of it to rest, and expects a wall that is whole and either outside the struts or
+/// refused.
 void deploy(const Setting& s) {
   Wall wall = packWall(s.vessel, s.mechanics, 1);
   Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
@@ -20,6 +23,9 @@ void deploy(const Setting& s) {
   EXPECT_TRUE(deployment.done());
   const DeploymentStatistics statistics = deployment.statistics();
   EXPECT_EQ(statistics.outside, 0u);
+  if (statistics.escaped > 0) {
+    EXPECT_TRUE(strutsWentThrough(statistics)) << statistics.escaped;
+  }
   for (Index i = 0; i < wall.agents.size(); ++i) {
     ASSERT_TRUE(wall.agents.position(i).allFinite());
     ASSERT_GE(wall.agents.z[i], 0);
@@ -50,6 +56,27 @@ TEST(DeploymentExtremes, InOneStep) {
     s.stent.outerLamina = outer;
     deploy(s);
   }
+}
+
+class DeploymentOfTheProgram : public WholeProgram {};
+
+/// The struts land beyond much of the wall, which cannot know that it was to be in front of them.
+TEST_F(DeploymentOfTheProgram, InOneStepThroughTheWallIsStoppedBeforeAnythingGrows) {
+  const std::string tiny = scene("tiny", with(tinyScene, "40 um", "80 um"));
+  const ProcessEnd end = run({"run", tiny, "-o", "out", "--set", "stent.deploymentSteps=1"});
+  EXPECT_EXIT_STATUS(end, 1);
+  for (const char* part : {"the struts went through the wall", "raise stent.deploymentSteps (now 1)"})
+    EXPECT_NE(end.err.find(part), std::string::npos) << end.err;
+  EXPECT_FALSE(exists("out/timeSeries.csv"));
+  const auto json = summary("out");
+  EXPECT_EQ(json["status"], "failed");
+  EXPECT_GT(json["deployment"]["freeAgentsLumenwardOfStruts"], 0);
+  ASSERT_EQ(json["remarks"].size(), 1u);
+  EXPECT_NE(std::string(json["remarks"][0]).find("stent.deploymentSteps"), std::string::npos);
+
+  const ProcessEnd finer = run({"run", tiny, "-o", "finer", "--flow", "none", "--set", "scene.duration=2 h"});
+  EXPECT_EXIT_STATUS(finer, 0);
+  EXPECT_EQ(summary("finer")["deployment"]["agentsLumenwardOfStruts"], 0);
 }
 
 TEST(DeploymentExtremes, ThroughMostOfTheWall) {

@@ -1,4 +1,6 @@
 // A lumen from a file that cannot be used: exit 2 and one message, before anything is written.
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "FlowSupport.h"
@@ -96,6 +98,18 @@ TEST_F(WrongLumen, WrongUnit) {
   expectRefused(with(loadedScene, "\"mm\"", "\"um\"\nlumenDiameter = \"1.8 mm\""), {"length unit"});
   const std::string tenfold = with(loadedScene, "\"mm\"", "\"mm\"\nlumenDiameter = \"18 mm\"");
   expectRefused(tenfold, {"loaded.toml:7: 'lumenSurfaceUnit' in [vessel]", "1.8 mm wide"});
+}
+
+TEST_F(WrongLumen, ALengthThatIsNotTheSurfaces) {
+  write(tube(vesselRadius, 2e-3));
+  for (const char* length : {"8 mm", "0.5 mm"})
+    expectRefused(with(loadedScene, "\"mm\"", fmt::format("\"mm\"\nlength = \"{}\"", length)),
+                  {"loaded.toml:8: 'length' in [vessel]", "are 2 mm apart", length});
+  const auto roughly = with(loadedScene, "\"mm\"", "\"mm\"\nlength = \"3 mm\"");
+  EXPECT_EXIT_STATUS(run({"check", scene("loaded", roughly)}), 0);
+  write(bentTube(0.5e-3, 0.6e-3, 1e-3, 0.4e-3));
+  const auto bent = with(loadedScene, "\"mm\"", "\"mm\"\nlength = \"8 mm\"");
+  EXPECT_EXIT_STATUS(run({"check", scene("loaded", bent)}), 0);
 }
 
 TEST_F(WrongLumen, LongerThanAnyVessel) {

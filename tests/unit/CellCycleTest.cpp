@@ -152,6 +152,26 @@ TEST(CellCycle, CarriesTheRestOfAStepIntoTheNextPhase) {
   EXPECT_NEAR(agents.clock[0], 0.25 * hour, 1e-9);
 }
 
+/// Clocks are sums of steps: 23 times 0.7 h is less than 16.1 h by rounding, 7 times more than 4.9 h.
+TEST(CellCycle, PhasesThatAreWholeNumbersOfStepsTakeAsMany) {
+  for (const double step : {0.1 * hour, 0.3 * hour, 0.7 * hour, 1.1 * hour}) {
+    for (int g1 = 1; g1 <= 60; ++g1) {
+      const int sg2m = 61 - g1;
+      const CellCycle cycle(exactly(g1 * step, sg2m * step), 1, step, never);
+      AgentStore agents = oneCell();
+      CycleReport report;
+      for (int k = 1; k < g1; ++k) cycle.advance(agents, report);
+      EXPECT_NE(agents.state[0], CycleState::sg2m) << g1;
+      cycle.advance(agents, report);
+      EXPECT_EQ(agents.state[0], CycleState::sg2m) << g1;
+      for (int k = 1; k < sg2m; ++k) EXPECT_TRUE(cycle.advance(agents, report).empty()) << g1;
+      EXPECT_EQ(cycle.advance(agents, report).size(), 1u) << g1;
+      EXPECT_GE(agents.clock[0], 0.0);
+      EXPECT_LT(agents.clock[0], 1e-6 * step);
+    }
+  }
+}
+
 TEST(CellCycle, LosesTheRestWhereTheNextCheckpointHoldsTheCell) {
   const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
   AgentStore agents = oneCell();

@@ -154,16 +154,18 @@ TEST(Injury, BrokenBondsAreGoneAndTheirEndsAreCells) {
   EXPECT_EQ(injure(whole, parameters, 1).broken, 0u);
 }
 
-TEST(Injury, StressLimitBreaksToo) {
-  Wall wall = stretchedWall(0, 0);
+TEST(Injury, StressLimitBreaksInTensionAndInCompression) {
   InjuryParameters parameters;
   parameters.ielBreaks = true;
   parameters.stressLimit = 1e5;
-  for (Index i = 0; i < wall.agents.size(); ++i) wall.agents.pressure[i] = i % 3 == 0 ? -2e5 : 0.5e5;
-  const InjuryReport report = injure(wall, parameters, 1);
-  EXPECT_GT(report.broken, 0u);
-  EXPECT_LT(report.broken, report.iel / 2);
-  EXPECT_EQ(report.brokenBonds, 0u);
+  for (const double beyond : {-2e5, 2e5}) {
+    Wall wall = stretchedWall(0, 0);
+    for (Index i = 0; i < wall.agents.size(); ++i) wall.agents.pressure[i] = i % 3 == 0 ? beyond : 0.5e5;
+    const InjuryReport report = injure(wall, parameters, 1);
+    EXPECT_GT(report.broken, 0u);
+    EXPECT_LT(report.broken, report.iel / 2);
+    EXPECT_EQ(report.brokenBonds, 0u);
+  }
 }
 
 TEST(Injury, AllMakesEveryFreeCellSynthetic) {

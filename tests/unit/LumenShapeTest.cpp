@@ -23,6 +23,17 @@ TEST(LumenShape, tubeHasItsVolumeAndEnds) {
   EXPECT_NEAR((outlet.centre - Vec3(0, 0, 1.2e-3)).norm(), 0.0, 1e-12);
 }
 
+TEST(LumenShape, crossSectionsHaveTheirCentroids) {
+  TriSurface oblique = support::tube(0.9e-3, 1.2e-3);
+  for (Vec3& v : oblique.vertices) v += Vec3(2e-3 + 0.5 * v.z(), -v.z(), 0);
+  const double z[] = {0.1e-3, 0.77e-3};
+  const auto sections = crossSections(oblique, z);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(sections[i].area / (pi * 0.81e-6), 1.0, 1e-12);
+    EXPECT_LT((sections[i].centre - Vec3(2e-3 + 0.5 * z[i], -z[i], z[i])).norm(), 1e-12);
+  }
+}
+
 TEST(LumenShape, crossSectionsOfACone) {
   const TriSurface cone = support::revolve({{1e-3, 0.0}, {0.5e-3, 1e-3}});
   const std::vector<double> z = {0.0, 0.25e-3, 0.5e-3, 0.9e-3};

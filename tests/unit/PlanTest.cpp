@@ -3,6 +3,7 @@
 #include <string>
 
 #include "Plan.h"
+#include "SecondsPerDay.h"
 #include "TemporaryFolder.h"
 
 namespace restenosis {
@@ -17,6 +18,20 @@ TEST(Plan, CountsTheAgentsOfALoadedWall) {
   const std::string text = planText(scene);
   EXPECT_NE(text.find("loaded as it stands from " + scene.vessel.agents), std::string::npos) << text;
   EXPECT_NE(text.find("\n3 agents, "), std::string::npos) << text;
+}
+
+TEST(Plan, CallsTheIelIntactOnlyOfAPackedWall) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.scene.duration = 5 * secondsPerDay;
+  scene.mechanics.emplace();
+  scene.cellCycle.emplace();
+  scene.endothelium.emplace();
+  scene.flow.emplace().backend = "analytic";
+  EXPECT_NE(planText(scene).find("the IEL is intact"), std::string::npos) << planText(scene);
+  scene.vessel.agents = (folder.path() / "w.csv").string();
+  writeText(scene.vessel.agents, "x,y,z,radius\n915,0,100,15\n945,0,100,15\n");
+  EXPECT_EQ(planText(scene).find("the IEL is intact"), std::string::npos) << planText(scene);
 }
 
 TEST(Plan, EstimatesTheAgentsOfAPackedWall) {

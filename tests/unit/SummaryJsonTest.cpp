@@ -22,7 +22,9 @@ Summary example() {
   summary.last.agents = 70123;
   summary.last.neointimaThickness = 51e-6;
   summary.deployment.emplace();
-  summary.deployment->escaped = 1;
+  summary.deployment->freeInTheWay = 40;
+  summary.deployment->escaped = 3;
+  summary.deployment->escapedFree = 1;
   summary.deployment->laminaDistance = 95e-6;
   summary.deployment->largestStrain = 0.4;
   summary.flowSolvesDone = 5;
@@ -46,7 +48,9 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["final"]["day"], 10.0);
   EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
   EXPECT_TRUE(json["final"]["wssMean_Pa"].is_null());
-  EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 1);
+  EXPECT_EQ(json["deployment"]["freeAgentsInTheWayOfStruts"], 40);
+  EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 3);
+  EXPECT_EQ(json["deployment"]["freeAgentsLumenwardOfStruts"], 1);
   EXPECT_NEAR(json["deployment"]["ielToEelUnderStruts_um"].get<double>(), 95, 1e-9);
   EXPECT_EQ(json["deployment"]["largestBondStrain"], 0.4);
   EXPECT_TRUE(json["deployment"]["meanIelBondStrain"].is_null()) << "there were no such bonds";

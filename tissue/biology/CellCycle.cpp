@@ -12,6 +12,10 @@ namespace {
 
 const double doubledRadius = std::cbrt(2.0);
 
+/// Of a phase and a step: time that is lacking by less than this lacks by rounding, for clocks are sums of
+/// steps. A phase that is a whole number of steps must not take one more for it.
+constexpr double rounding = 1e-9;
+
 }  // namespace
 
 CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
@@ -62,21 +66,21 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) co
   if (agents.state[i] == CycleState::g1) {
     const double duration = agents.g1Duration[i];
     const double target = agents.birthRadius[i] * doubledRadius;
-    if (clock + left < duration) {
+    if (clock + left < duration - rounding * (duration + step_)) {
       const double grown = agents.radius[i] * std::exp2(left / (3 * duration));
       agents.radius[i] = std::min(grown, target);
       clock += left;
       return passed;
     }
-    left -= duration - clock;
+    left = std::max(0.0, left - (duration - clock));
     clock = 0;
     agents.radius[i] = target;
     agents.state[i] = CycleState::sg2m;
     pass(Passage::enteredSg2m);
   }
   clock += left;
-  if (clock >= p_.sg2mDuration) {
-    clock = std::min(clock - p_.sg2mDuration, step_);
+  if (clock >= p_.sg2mDuration - rounding * (p_.sg2mDuration + step_)) {
+    clock = std::clamp(clock - p_.sg2mDuration, 0.0, step_);
     pass(Passage::divides);
   }
   return passed;

@@ -32,7 +32,8 @@ struct CycleReport {
 /// Phases need not be multiples of the step: what a step leaves over after a phase goes to the next one,
 /// after a division to mother and daughter, who keep it on their clocks in G0 and spend it when the next
 /// checkpoint lets them pass (one that holds them back takes it). A cell divides at most once a step; a cycle
-/// shorter than the step therefore runs once a step, and no more than one step is ever left over.
+/// shorter than the step therefore runs once a step, and no more than one step is ever left over. A phase
+/// that lacks less than 1e-9 of its length and of a step has ended: what lacks is rounding.
 class CellCycle {
  public:
   /// `step` [s] is the biological step. `nitricOxideThreshold` [nmol/mm^3]; infinity where there is no

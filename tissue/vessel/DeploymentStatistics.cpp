@@ -31,12 +31,16 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
     if (agents.kind[i] == AgentKind::strut) continue;
     const Vec3 position = agents.position(i);
     const double radius = radiusOf(position);
-    bool lumenward = false, under = false;
+    bool inTheWay = false, lumenward = false, under = false;
     footprint.visit(position, wall.cellRadius / 2, [&](const StrutFootprint::Hit& hit) {
+      inTheWay = true;
       lumenward = lumenward || radius < hit.outerFace;
       under = under || hit.across < stent.segments[hit.segment].width / 4;
     });
+    const bool free = !agents.has(i, fixed);
+    result.freeInTheWay += inTheWay && free;
     result.escaped += lumenward;
+    result.escapedFree += lumenward && free;
     if (under && agents.kind[i] == AgentKind::iel) iel.add(radius);
     if (under && agents.kind[i] == AgentKind::eel) eel.add(radius);
   }

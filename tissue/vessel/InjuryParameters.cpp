@@ -35,15 +35,14 @@ void InjuryParameters::describe(ParameterVisitor& p) {
                                 .maximum = 100,
                                 .source = "ISR2D",
                                 .description = "strain at which an IEL bond along the vessel breaks"});
-  p.quantity(
-      stressLimit,
-      {.key = "stressLimit",
-       .unit = "MPa",
-       .minimum = 0,
-       .maximum = 1000,
-       .source = "assumed",
-       .description = "where ielBreaks is true, structural stress past which an IEL agent is no longer "
-                      "IEL; 0: no limit"});
+  p.quantity(stressLimit, {.key = "stressLimit",
+                           .unit = "MPa",
+                           .minimum = 0,
+                           .maximum = 1000,
+                           .source = "assumed",
+                           .description = "where ielBreaks is true, structural stress, in tension or "
+                                          "compression, past which an IEL agent is no longer "
+                                          "IEL; 0: no limit"});
   p.quantity(fenestrationProbability,
              {.key = "fenestrationProbability",
               .minimum = 0,

@@ -2,53 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "FlowBackendNames.h"
+#include "LumenProfile.h"
 #include "LumenShape.h"
+#include "TrianglePieces.h"
 
 namespace restenosis {
 namespace {
 
 using std::numbers::pi;
 
-/// Radius of the circle with the cross-section's area, along the vessel.
-class RadiusProfile {
- public:
-  RadiusProfile(const TriSurface& lumen, int stations) {
-    const double inlet = lumenEnd(lumen, SurfaceRegion::inlet).z;
-    const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet;
-    spacing_ = length / stations;
-    first_ = inlet + 0.5 * spacing_;
-    std::vector<double> z(stations);
-    for (int i = 0; i < stations; ++i) z[i] = first_ + i * spacing_;
-    const auto areas = crossSectionAreas(lumen, z);
-    for (int i = 0; i < stations; ++i) {
-      if (!(areas[i] > 0.0))
-        throw FlowFailed(fmt::format("analytic flow: the lumen is closed at z = {:.4g} mm", z[i] * 1e3), {});
-      radii_.push_back(std::sqrt(areas[i] / pi));
-    }
-  }
-  double operator()(double z) const {
-    const double last = static_cast<double>(radii_.size() - 1);
-    const double x = std::clamp((z - first_) / spacing_, 0.0, last);
-    const auto i = std::min(static_cast<std::size_t>(x), radii_.size() - 2);
-    const double f = x - static_cast<double>(i);
-    return (1.0 - f) * radii_[i] + f * radii_[i + 1];
-  }
-  const std::vector<double>& radii() const { return radii_; }
-  double spacing() const { return spacing_; }
-
- private:
-  double first_ = 0.0, spacing_ = 0.0;
-  std::vector<double> radii_;
-};
+/// Longest piece of a triangle that gets a stress of its own, over the mean radius (assumed).
+constexpr double longestPiece = 0.25;
 
 /// The direction of the axis in a face's plane; zero for a face across the axis.
-Vec3 alongAxis(const Vec3& unitNormal) {
-  const Vec3 tangent = Vec3::UnitZ() - unitNormal.z() * unitNormal;
+Vec3 alongAxis(const Vec3& axis, const Vec3& unitNormal) {
+  const Vec3 tangent = axis - axis.dot(unitNormal) * unitNormal;
   const double length = tangent.norm();
   return length > 1e-9 ? Vec3(tangent / length) : Vec3(Vec3::Zero());
 }
@@ -64,9 +35,13 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(fmt::format("analytic flow: {}", error.what()), {});
   }
-  const RadiusProfile profile(lumen, stations_);
+  const LumenProfile profile(lumen, stations_);
   const double mu = conditions.dynamicViscosity();
-  const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
+  const double resistance = profile.resistance(mu);
+  // What flows in flows out: one flow rate for all cross-sections, whatever drives it
+  const double flowRate = conditions.drive == FlowConditions::Drive::flowRate
+                              ? conditions.flowRate
+                              : conditions.pressureGradient * profile.length() / resistance;
 
   FlowSolution solution;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
@@ -74,15 +49,17 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
     const Vec3 areaVector = lumen.areaVector(i);
     const double area = areaVector.norm();
     if (!(area > 0.0)) continue;
-    const double radius = profile(lumen.centre(i).z());
-    const double stress = fixedFlow ? 4.0 * mu * conditions.flowRate / (pi * radius * radius * radius)
-                                    : 0.5 * radius * conditions.pressureGradient;
-    solution.wall.push_back({lumen.centre(i), area, stress * alongAxis(areaVector / area), lumen.region[i]});
+    const Vec3 normal = areaVector / area;
+    const auto& [a, b, c] = lumen.triangles[i];
+    forEachPieceOf(
+        {lumen.vertices[a], lumen.vertices[b], lumen.vertices[c]}, longestPiece * profile.meanRadius(),
+        [&](const Vec3& centre, double pieceArea) {
+          const auto [radius, axis] = profile.at(centre.z());
+          const double stress = 4.0 * mu * flowRate / (pi * radius * radius * radius);
+          solution.wall.push_back({centre, pieceArea, stress * alongAxis(axis, normal), lumen.region[i]});
+        });
   }
-  for (const double radius : profile.radii())
-    solution.pressureDrop +=
-        profile.spacing() * (fixedFlow ? 8.0 * mu * conditions.flowRate / (pi * std::pow(radius, 4))
-                                       : conditions.pressureGradient);
+  solution.pressureDrop = flowRate * resistance;
   return solution;
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "DeploymentStatistics.h"
+
+namespace restenosis {
+
+/// Struts that have gone through the wall instead of pressing it outwards. what() names the setting.
+struct DeploymentFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Whether struts have clearly gone through the wall: of the free agents in their way more than a tenth,
+/// about one layer of cells, are left behind on their lumenward side (assumed).
+bool strutsWentThrough(const DeploymentStatistics& wall);
+
+/// What is to be said of agents lumenward of struts after a deployment in so many steps, and which settings
+/// keep them where they belong: `stent.deploymentSteps` free ones, `vessel.fixedEnds` those that are fixed.
+/// Empty where there are none.
+std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentSteps);
+
+/// Throws DeploymentFailed where strutsWentThrough.
+void requireWallOutsideStruts(const DeploymentStatistics& wall, int deploymentSteps);
+
+}  // namespace restenosis
