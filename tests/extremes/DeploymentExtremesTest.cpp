@@ -4,6 +4,7 @@
 
 #include "Deployment.h"
 #include "SmallDeployment.h"
+#include "StrutAgents.h"
 #include "WallPacking.h"
 
 namespace restenosis {
@@ -14,7 +15,7 @@ using Setting = support::SmallDeployment;
 /// Deploys, every step of it to rest, and expects a wall that is whole.
 void deploy(const Setting& s) {
   Wall wall = packWall(s.vessel, s.mechanics, 1);
-  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   ASSERT_NO_THROW(deployment.run(
       [](const Deployment&, const RelaxationReport& report) { EXPECT_TRUE(report.converged); }));
   EXPECT_TRUE(deployment.done());
