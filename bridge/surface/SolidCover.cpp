@@ -11,7 +11,7 @@ namespace restenosis {
 namespace {
 
 /// Longest side of the facets that a surface is looked at by, over the radius of the ball there.
-constexpr double facetSize = 0.8;
+constexpr double facetSize = 1.0;
 /// How far beside its own ball another one may stand to cover a place, over the radius.
 constexpr double besides = 0.65;
 const double deeper = std::hypot(1.0, besides) - 1;  ///< how much deeper it is then, over the radius
