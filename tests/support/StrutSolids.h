@@ -28,8 +28,7 @@ inline TriSurface box(const Vec3& low, const Vec3& high) {
   for (int n = 0; n < 8; ++n)
     corners.emplace_back(n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(), n & 4 ? high.z() : low.z());
   TriSurface s;
-  append(s, corners,
-         {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  append(s, corners, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
   return s;
 }
 
