@@ -33,9 +33,10 @@ TEST_F(StentFromStl, DeploysAsTheDesignDoes) {
   const auto design = deployed("design", std::string(tinyScene)), stl = deployed("stl", loadedScene);
   EXPECT_EQ(stl["agentsLumenwardOfStruts"], 0);
   EXPECT_EQ(stl["cellsOutsideEel"], 0);
-  // Spheres stand elsewhere on the same faces: far less than a cell's radius of 18 um
-  EXPECT_NEAR(stl["ielRadiusUnderStruts_um"], double(design["ielRadiusUnderStruts_um"]), 1.0);
-  EXPECT_NEAR(stl["ielToEelUnderStruts_um"], double(design["ielToEelUnderStruts_um"]), 1.5);
+  // Spheres of 18 um stand elsewhere on the same faces, and agents near one of them count as beneath the
+  // strut, in the middle of the strut or not: a sixth of a radius
+  EXPECT_NEAR(stl["ielRadiusUnderStruts_um"], double(design["ielRadiusUnderStruts_um"]), 3.0);
+  EXPECT_NEAR(stl["ielToEelUnderStruts_um"], double(design["ielToEelUnderStruts_um"]), 3.0);
 }
 
 TEST_F(StentFromStl, FilesThatCannotBeUsedAreRefusedBeforeAnythingIsWritten) {
