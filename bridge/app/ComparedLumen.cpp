@@ -11,8 +11,8 @@
 #include "LumenShape.h"
 #include "Progress.h"
 #include "Run.h"
+#include "SceneStent.h"
 #include "SceneWriter.h"
-#include "StrutAgents.h"
 #include "Units.h"
 
 namespace restenosis {

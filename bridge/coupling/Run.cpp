@@ -22,6 +22,7 @@
 #include "ProfileCsv.h"
 #include "RelaxPart.h"
 #include "SceneFingerprint.h"
+#include "SceneStent.h"
 #include "SecondsPerDay.h"
 #include "StateArchive.h"
 #include "StateCounts.h"
@@ -178,7 +179,8 @@ void Run::prepareWall() {
 void Run::deploy() {
   if (scene_.stent) {
     auto measurement = world_.timer.measure("deploy");
-    Deployment deployment(world_.wall, *scene_.stent, scene_.vessel, *scene_.mechanics, deploymentSteps_);
+    Deployment deployment(world_.wall, makeStent(*scene_.stent, scene_.vessel), *scene_.stent, scene_.vessel,
+                          *scene_.mechanics, deploymentSteps_);
     while (!deployment.done()) {
       deployment.step();
       deploymentSteps_ = deployment.stepsDone();

@@ -10,6 +10,7 @@
 
 #include "FlowResolution.h"
 #include "NitricOxide.h"
+#include "SceneStent.h"
 #include "StentDesign.h"
 #include "VesselValidation.h"
 
@@ -202,12 +203,26 @@ bool unreliableSection(const SceneFindings& findings, std::string_view section) 
                              [&](const std::string& key) { return sectionOf(key) == section; });
 }
 
+/// What is wrong with the file of a stent; empty if nothing is, or there is none.
+std::string stentFileProblem(const StentParameters& stent, const VesselParameters& vessel) {
+  try {
+    if (!stent.file.empty()) makeStent(stent, vessel);
+    return {};
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
 /// How tissue and stent fit each other: nearly every key of their sections counts, so that nothing can be
 /// said while one of them is wrong.
 void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& findings) {
   if (!scene.hasTissue() || unreliableSection(findings, VesselParameters::section)) return;
   const bool withStent = scene.stent && !unreliableSection(findings, StentParameters::section);
-  for (const ParameterProblem& problem : validate(scene.vessel, withStent ? &*scene.stent : nullptr)) {
+  auto problems = validate(scene.vessel, withStent ? &*scene.stent : nullptr);
+  if (withStent)
+    if (std::string problem = stentFileProblem(*scene.stent, scene.vessel); !problem.empty())
+      problems.push_back({"stent.file", std::move(problem)});
+  for (const ParameterProblem& problem : problems) {
     const std::string_view section = sectionOf(problem.key);
     blame(problem.key,
           fmt::format("'{}' in [{}]: {}", problem.key.substr(section.size() + 1), section, problem.message),

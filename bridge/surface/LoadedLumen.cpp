@@ -10,11 +10,13 @@
 #include <set>
 #include <string>
 
+#include "LengthUnit.h"
 #include "LumenCap.h"
 #include "LumenRefusal.h"
 #include "LumenRims.h"
 #include "StlFile.h"
 #include "SurfaceEnds.h"
+#include "SurfacePieces.h"
 
 namespace restenosis {
 namespace {
@@ -36,41 +38,6 @@ void requireDepth(const TriSurface& s) {
   if (plane.departure <= flatness * reach)
     refuseLumen(fmt::format("it encloses no lumen: it is flat, {} {}", s.triangles.size(),
                             s.triangles.size() == 1 ? "triangle" : "triangles in one plane"));
-}
-
-/// Makes triangles that meet run along their edge in opposite directions, starting from the first.
-/// Returns the number of pieces that the surface consists of.
-std::size_t orient(TriSurface& s) {
-  const SurfaceEdges edges = surfaceEdges(s);
-  std::vector<bool> done(s.triangles.size(), false);
-  std::size_t pieces = 0;
-  const auto runsAlong = [&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    for (int k = 0; k < 3; ++k)
-      if (s.triangles[t][k] == from && s.triangles[t][(k + 1) % 3] == to) return true;
-    return false;
-  };
-  for (std::uint32_t seed = 0; seed < s.triangles.size(); ++seed) {
-    if (done[seed]) continue;
-    ++pieces;
-    std::vector<std::uint32_t> front{seed};
-    done[seed] = true;
-    while (!front.empty()) {
-      const std::uint32_t t = front.back();
-      front.pop_back();
-      const auto corners = s.triangles[t];
-      for (const std::uint32_t other : edges.beyond[t]) {
-        if (other == SurfaceEdges::none || done[other]) continue;
-        for (int k = 0; k < 3; ++k)
-          if (runsAlong(other, corners[k], corners[(k + 1) % 3])) {
-            std::swap(s.triangles[other][1], s.triangles[other][2]);
-            break;
-          }
-        done[other] = true;
-        front.push_back(other);
-      }
-    }
-  }
-  return pieces;
 }
 
 /// What a solid's name says.
@@ -198,7 +165,7 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (meaning(read.names[read.solid[t]]) == SurfaceRegion::strut) s.region[t] = SurfaceRegion::strut;
 
-  if (const std::size_t pieces = orient(s); pieces != 1)
+  if (const std::size_t pieces = 1 + std::ranges::max(orientPieces(s)); pieces != 1)
     refuseLumen(fmt::format("it consists of {} separate pieces; a lumen is one", pieces));
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.opposed > 0) refuseLumen("it has only one side, like a Moebius strip");
@@ -221,8 +188,7 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
 }
 
 TriSurface loadLumen(const VesselParameters& vessel) {
-  const std::string& unit = vessel.lumenSurfaceUnit;
-  return loadLumen(vessel.lumenSurface, unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : 1e-6);
+  return loadLumen(vessel.lumenSurface, metresPer(vessel.lumenSurfaceUnit));
 }
 
 double endDiameter(const TriSurface& lumen, SurfaceRegion end) {

@@ -29,9 +29,13 @@ NearestTriangle::NearestTriangle(std::vector<Vec3> vertices,
     : vertices_(std::move(vertices)),
       triangles_(std::move(triangles)),
       centres_(centresOf(vertices_, triangles_)) {
+  reaches_.reserve(triangles_.size());
   for (const auto& t : triangles_) {
     const Vec3 centre = (vertices_[t[0]] + vertices_[t[1]] + vertices_[t[2]]) / 3.0;
-    for (const auto v : t) reach_ = std::max(reach_, (vertices_[v] - centre).norm());
+    double reach = 0.0;
+    for (const auto v : t) reach = std::max(reach, (vertices_[v] - centre).norm());
+    reaches_.push_back(reach);
+    reach_ = std::max(reach_, reach);
   }
 }
 
@@ -57,7 +61,9 @@ NearestTriangle::Place NearestTriangle::at(const Vec3& point) const {
   Place best{onTriangle(first, point), 0.0, first};
   best.distance = (best.point - point).norm();
   // A triangle that comes nearer has its centre at most this far away
-  for (const auto& near : centres_.within(point, (best.distance + reach_) * (1.0 + 1e-9))) {
+  const double slack = 1.0 + 1e-9;
+  for (const auto& near : centres_.within(point, (best.distance + reach_) * slack)) {
+    if (near.distance > (best.distance + reaches_[near.index]) * slack) continue;
     const Vec3 place = onTriangle(near.index, point);
     if (const double distance = (place - point).norm(); distance < best.distance)
       best = {place, distance, near.index};

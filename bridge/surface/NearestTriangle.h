@@ -29,7 +29,8 @@ class NearestTriangle {
   std::vector<Vec3> vertices_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   PointTree centres_;
-  double reach_ = 0.0;  ///< largest distance of a corner from its triangle's centre
+  std::vector<double> reaches_;  ///< of each triangle, how far its corners are from its centre at most
+  double reach_ = 0.0;           ///< the largest of these
 };
 
 }  // namespace restenosis

@@ -5,6 +5,7 @@
 #include "Deployment.h"
 #include "EscapedAgents.h"
 #include "SmallDeployment.h"
+#include "StrutAgents.h"
 #include "WallPacking.h"
 #include "WholeProgram.h"
 
@@ -17,7 +18,7 @@ using Setting = support::SmallDeployment;
 /// refused.
 void deploy(const Setting& s) {
   Wall wall = packWall(s.vessel, s.mechanics, 1);
-  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   ASSERT_NO_THROW(deployment.run(
       [](const Deployment&, const RelaxationReport& report) { EXPECT_TRUE(report.converged); }));
   EXPECT_TRUE(deployment.done());

@@ -46,7 +46,7 @@ TEST(EscapedAgents, OfMoreThanATenthStopTheRun) {
 TEST(EscapedAgents, AreCountedFreeOrFixed) {
   VesselParameters vessel;
   vessel.length = 0.6e-3;
-  const Stent stent = makeStent(StentParameters(), vessel);
+  const Stent stent = stentOfDesign(StentParameters(), vessel);
   const Vec3 strut = stent.segments.front().a;
   const double outerFace = radiusOf(strut) + stent.segments.front().thickness / 2;
   Wall wall = emptyWall(vessel);

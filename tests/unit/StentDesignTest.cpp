@@ -26,7 +26,7 @@ class EveryDesign : public testing::TestWithParam<std::string_view> {
 };
 
 TEST_P(EveryDesign, HasItsOuterFaceAtTheLumenAndThenAtTheDepth) {
-  const Stent stent = makeStent(parameters, vessel);
+  const Stent stent = stentOfDesign(parameters, vessel);
   ASSERT_FALSE(stent.segments.empty());
   for (const double depth : {0.0, 110e-6}) {
     const Stent moved = stent.movedOutwards(depth);
@@ -47,7 +47,7 @@ TEST_P(EveryDesign, HasItsOuterFaceAtTheLumenAndThenAtTheDepth) {
 
 TEST_P(EveryDesign, SpansTheStentsLengthAndStaysInIt) {
   double low = 1, high = 0;
-  for (const StrutSegment& segment : makeStent(parameters, vessel).segments) {
+  for (const StrutSegment& segment : stentOfDesign(parameters, vessel).segments) {
     low = std::min({low, segment.a.z(), segment.b.z()});
     high = std::max({high, segment.a.z(), segment.b.z()});
   }
@@ -58,7 +58,7 @@ TEST_P(EveryDesign, SpansTheStentsLengthAndStaysInIt) {
 }
 
 TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
-  const Stent stent = makeStent(parameters, vessel);
+  const Stent stent = stentOfDesign(parameters, vessel);
   // Every sphere's centre lies inside the struts; the box is flat where the sphere follows the cylinder,
   // which costs at most 45^2 / (2 * 855) um at a link's edge.
   for (std::size_t n = 0; n < stent.spheres.size(); ++n) {
@@ -90,7 +90,7 @@ TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
 }
 
 TEST_P(EveryDesign, ChainsHaveNoNotches) {
-  const auto segments = makeStent(parameters, vessel).segments;
+  const auto segments = stentOfDesign(parameters, vessel).segments;
   const auto distance = [&](const Vec3& point) {
     double nearest = 1;
     for (const StrutSegment& segment : segments) nearest = std::min(nearest, signedDistance(segment, point));
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Designs, EveryDesign, testing::ValuesIn(stentDesignName
 TEST(StentDesign, RingHasTheVolumeOfARing) {
   VesselParameters vessel;
   vessel.length = 1e-3;
-  const Stent stent = makeStent(StentParameters(), vessel);
+  const Stent stent = stentOfDesign(StentParameters(), vessel);
   double length = 0;
   for (const StrutSegment& segment : stent.segments) length += segment.length();
   EXPECT_NEAR(length, 2 * std::numbers::pi * 0.855e-3, 1e-6);
@@ -122,7 +122,7 @@ TEST(StentDesign, RingHasTheVolumeOfARing) {
 TEST(StentDesign, RoundStrutsAreFlushToo) {
   StentParameters parameters;
   parameters.strutShape = "round";
-  const Stent stent = makeStent(parameters, VesselParameters());
+  const Stent stent = stentOfDesign(parameters, VesselParameters());
   double outermost = 0;
   for (std::size_t n = 0; n < stent.spheres.size(); ++n) {
     outermost = std::max(outermost, radiusOf(stent.centre(n)) + stent.spheres[n].radius);
@@ -133,7 +133,7 @@ TEST(StentDesign, RoundStrutsAreFlushToo) {
 TEST(StentDesign, ThinStrutsGetSmallSpheres) {
   StentParameters parameters;
   parameters.strutWidth = parameters.strutThickness = 20e-6;
-  const Stent stent = makeStent(parameters, VesselParameters());
+  const Stent stent = stentOfDesign(parameters, VesselParameters());
   for (const StrutSphere& sphere : stent.spheres) EXPECT_DOUBLE_EQ(sphere.radius, 10e-6);
 }
 

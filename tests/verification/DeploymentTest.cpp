@@ -4,6 +4,7 @@
 #include "Deployment.h"
 #include "SmallDeployment.h"
 #include "StateArchive.h"
+#include "StrutAgents.h"
 #include "WallBonds.h"
 #include "WallPacking.h"
 
@@ -30,7 +31,7 @@ TEST_P(Deployed, KeepsTheWallTogether) {
   s.stent.outerLamina = GetParam();
   Wall wall = packedWall();
   const Index wallAgents = wall.agents.size();
-  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   int reports = 0;
   deployment.run([&](const Deployment&, const RelaxationReport& report) {
     EXPECT_TRUE(report.converged);
@@ -70,7 +71,7 @@ TEST(DeploymentTest, EelFixedDoesNotMove) {
   s.stent.deploymentSteps = 20;
   Wall wall = packedWall();
   const Wall before = wall;
-  Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   for (int k = 0; k < 3; ++k) deployment.step();
   for (Index i = 0; i < before.agents.size(); ++i) {
     if (before.agents.kind[i] == AgentKind::eel || before.agents.has(i, fixed)) {
@@ -82,12 +83,12 @@ TEST(DeploymentTest, EelFixedDoesNotMove) {
 TEST(DeploymentTest, ResumesBitForBit) {
   const Setting s;
   Wall whole = packedWall();
-  Deployment uninterrupted(whole, s.stent, s.vessel, s.mechanics);
+  Deployment uninterrupted(whole, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   for (int k = 0; k < 4; ++k) uninterrupted.step();
 
   Wall halted = packedWall();
   {
-    Deployment first(halted, s.stent, s.vessel, s.mechanics);
+    Deployment first(halted, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
     for (int k = 0; k < 2; ++k) first.step();
   }
   WritingArchive written;
@@ -95,7 +96,7 @@ TEST(DeploymentTest, ResumesBitForBit) {
   ReadingArchive reading(written.buffer());
   Wall resumed;
   reading(resumed);
-  Deployment second(resumed, s.stent, s.vessel, s.mechanics, 2);
+  Deployment second(resumed, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, 2);
   for (int k = 0; k < 2; ++k) second.step();
   EXPECT_EQ(digest(resumed), digest(whole));
 }
@@ -103,9 +104,10 @@ TEST(DeploymentTest, ResumesBitForBit) {
 TEST(DeploymentTest, StrutsOfAnotherStentAreRefused) {
   Setting s;
   Wall wall = packedWall();
-  Deployment first(wall, s.stent, s.vessel, s.mechanics);
+  Deployment first(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
   s.stent.strutWidth = 0.05e-3;
-  EXPECT_THROW(Deployment(wall, s.stent, s.vessel, s.mechanics), std::invalid_argument);
+  EXPECT_THROW(Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics),
+               std::invalid_argument);
 }
 
 /// Without bonds the wall is a liquid: the IEL gives way to the strut sideways and bulges into the lumen.
@@ -115,7 +117,7 @@ TEST(DeploymentTest, BondsHoldTheIelUnderTheStrut) {
   const auto ielUnderStrut = [&](bool bonded) {
     Wall wall = packedWall();
     if (!bonded) bondWall(wall, 0);
-    Deployment deployment(wall, s.stent, s.vessel, s.mechanics);
+    Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
     deployment.run();
     int under = 0;
     for (Index i = 0; i < wall.agents.size(); ++i) {

@@ -158,7 +158,14 @@ class TableReader {
 
 }  // namespace
 
+std::string AgentTable::placeOf(Index i) const {
+  if (!lines.empty()) return fmt::format("line {}", lines[i]);
+  const Vec3 place = agents.position(i) * 1e3;  // [mm]
+  return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) mm", place.x(), place.y(), place.z());
+}
+
 void AgentTable::fail(Index i, const std::string& message) const {
+  if (lines.empty()) throw AgentTableError(fmt::format("{}: {}: {}", file.string(), placeOf(i), message));
   throw AgentTableError(fmt::format("{}:{}: {}", file.string(), lines[i], message));
 }
 

@@ -15,13 +15,16 @@ struct AgentTableError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The agents of a table, and where each of them stands in its file.
+/// The agents of a file, and where each of them stands in it.
 struct AgentTable {
   std::filesystem::path file;
   AgentStore agents;
-  std::vector<std::size_t> lines;  ///< of each agent, the first line of the file is 1
+  /// Of each agent, the first line of the file is 1. Empty where agents do not come from lines of their own.
+  std::vector<std::size_t> lines;
 
-  /// Throws an AgentTableError about agent i: file, line, message.
+  /// For people: "line 5", or, without lines, the agent's place in mm.
+  std::string placeOf(Index i) const;
+  /// Throws an AgentTableError about agent i: file, line or place, message.
   [[noreturn]] void fail(Index i, const std::string& message) const;
 };
 
@@ -30,7 +33,7 @@ struct AgentTable {
 /// `defaultKind`). A comment goes from # to the end of its line. Ids are given in the order of the lines.
 /// Throws AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite
 /// number, a radius that is not positive, an unknown kind, or a table without agents. Whether the agents fit
-/// a vessel is for readWallTable and readStrutTable to say.
+/// a vessel is for readWallTable and outwardsToLumen to say.
 AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
 /// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be

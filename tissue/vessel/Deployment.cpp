@@ -4,22 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "EndPlanes.h"
 #include "OuterConfinement.h"
 
 namespace restenosis {
 
-Deployment::Deployment(Wall& wall, const StentParameters& stent, const VesselParameters& vessel,
-                       const MechanicsParameters& mechanics, int stepsDone)
+Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameters,
+                       const VesselParameters& vessel, const MechanicsParameters& mechanics, int stepsDone)
     : wall_(wall),
-      undeployed_(makeStent(stent, vessel)),
+      undeployed_(std::move(stent)),
       relaxation_(mechanics, vessel.cellRadius),
-      depth_(stent.deploymentDepth),
-      steps_(static_cast<int>(stent.deploymentSteps)),
+      depth_(parameters.deploymentDepth),
+      steps_(static_cast<int>(parameters.deploymentSteps)),
       stepsDone_(stepsDone) {
   attachStruts();
-  if (stepsDone == 0) fixAgents(stent, vessel);
+  if (stepsDone == 0) fixAgents(parameters, vessel);
   placeStent();
 }
 
@@ -43,10 +44,10 @@ void Deployment::attachStruts() {
   }
 }
 
-void Deployment::fixAgents(const StentParameters& stent, const VesselParameters& vessel) {
+void Deployment::fixAgents(const StentParameters& parameters, const VesselParameters& vessel) {
   fixEnds(wall_, vessel.fixedEnds);
   for (const Index i : strutAgents_) wall_.agents.set(i, fixed, true);
-  if (stent.outerLamina == "fixed") fixOuterLamina(wall_);
+  if (parameters.outerLamina == "fixed") fixOuterLamina(wall_);
 }
 
 void Deployment::placeStent() {

@@ -4,7 +4,8 @@
 
 #include "DeploymentStatistics.h"
 #include "Relaxation.h"
-#include "StrutAgents.h"
+#include "Stent.h"
+#include "StentParameters.h"
 #include "Wall.h"
 
 namespace restenosis {
@@ -17,12 +18,13 @@ namespace restenosis {
 /// the number of steps done.
 class Deployment {
  public:
-  /// Appends the stent's obstacle agents to the wall, or, if it holds struts already (a wall read back after
-  /// `stepsDone` steps), takes those over; they must be as many as the stent has. Before the first
-  /// step, the EEL is fixed or freed as the stent's `outerLamina` says, and the ends as `vessel` says; later
-  /// on those agents stay fixed, whoever has moved into their place. Throws as makeStent does, and
-  /// std::invalid_argument for struts that are not this stent's. The wall must outlive the deployment.
-  Deployment(Wall& wall, const StentParameters& stent, const VesselParameters& vessel,
+  /// Appends the obstacle agents of a stent, whose outer face is at the lumen's surface, to the wall, or, if
+  /// it holds struts already (a wall read back after `stepsDone` steps), takes those over; they must be as
+  /// many as the stent has. Before the first step, the EEL is fixed or freed as the stent's `outerLamina`
+  /// says, and the ends as `vessel` says; later on those agents stay fixed, whoever has moved into their
+  /// place. Throws std::invalid_argument for struts that are not this stent's. The wall must outlive the
+  /// deployment.
+  Deployment(Wall& wall, Stent stent, const StentParameters& parameters, const VesselParameters& vessel,
              const MechanicsParameters& mechanics, int stepsDone = 0);
 
   int steps() const { return steps_; }
@@ -42,7 +44,7 @@ class Deployment {
 
  private:
   void attachStruts();
-  void fixAgents(const StentParameters& stent, const VesselParameters& vessel);
+  void fixAgents(const StentParameters& parameters, const VesselParameters& vessel);
   void placeStent();
   void continueLastMove();
 

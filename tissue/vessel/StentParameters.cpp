@@ -12,7 +12,10 @@ void StentParameters::describe(ParameterVisitor& p) {
                            "links; a helix; sinusoidal rings joined by links"});
   p.file(file, {.key = "file",
                 .source = "none",
-                .description = "CSV table of obstacle agents (x, y, z, radius in um) instead of a design"});
+                .description = "STL of the struts (name ends in .stl), or CSV table of obstacle agents "
+                               "(x, y, z, radius in um), instead of a design"});
+  p.choice(fileUnit, {"m", "mm", "um"},
+           {.key = "fileUnit", .source = "none", .description = "length unit of file where it is an STL"});
   p.quantity(length, {.key = "length",
                       .unit = "mm",
                       .minimum = 0,

@@ -14,7 +14,8 @@ struct StentParameters {
       "Struts pressed into the wall in equal steps, the wall relaxing after each";
 
   std::string design = "ring";
-  std::string file;                   ///< CSV of obstacle agents instead of a design
+  std::string file;                   ///< STL of the struts or CSV of obstacle agents instead of a design
+  std::string fileUnit = "mm";        ///< of an STL
   double length = 3.5e-3;             ///< of designs longer than one ring [m]
   double strutWidth = 0.09e-3;        ///< along the surface [m]
   double strutThickness = 0.09e-3;    ///< along the radius [m]

@@ -6,7 +6,7 @@
 
 #include "Cylindrical.h"
 #include "StentDesign.h"
-#include "StrutTable.h"
+#include "StrutFit.h"
 
 namespace restenosis {
 namespace {
@@ -50,23 +50,6 @@ std::vector<SectionPoint> sectionPoints(const StrutSegment& segment, double radi
   return points;
 }
 
-Stent stentFromTable(const StentParameters& parameters, const VesselParameters& vessel) {
-  const StrutTable table = readStrutTable(parameters, vessel);
-  Stent stent;
-  for (Index i = 0; i < table.spheres.size(); ++i) {
-    const Vec3 place = table.spheres.position(i);
-    const double radius = table.spheres.radius[i];
-    stent.segments.push_back({.a = place,
-                              .b = place,
-                              .radial = radialAt(place),
-                              .width = 2 * radius,
-                              .thickness = 2 * radius,
-                              .round = true});
-    stent.spheres.push_back({.segment = i, .along = 0, .across = 0, .outward = 0, .radius = radius});
-  }
-  return stent.movedOutwards(table.outwards);
-}
-
 }  // namespace
 
 std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segments, double cellRadius) {
@@ -89,14 +72,30 @@ std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segme
   return spheres;
 }
 
-Stent makeStent(const StentParameters& parameters, const VesselParameters& vessel) {
-  if (!parameters.file.empty()) return stentFromTable(parameters, vessel);
+Stent stentOfDesign(const StentParameters& parameters, const VesselParameters& vessel) {
   Stent stent;
   stent.segments =
       stentDesign(parameters.design)
           .build(parameters, {.vesselLength = vessel.length, .outerRadius = vessel.lumenDiameter / 2});
   stent.spheres = coverWithSpheres(stent.segments, vessel.cellRadius);
   return stent;
+}
+
+Stent stentOfSpheres(const AgentTable& struts, const VesselParameters& vessel) {
+  const double outwards = outwardsToLumen(struts, vessel);
+  Stent stent;
+  for (Index i = 0; i < struts.agents.size(); ++i) {
+    const Vec3 place = struts.agents.position(i);
+    const double radius = struts.agents.radius[i];
+    stent.segments.push_back({.a = place,
+                              .b = place,
+                              .radial = radialAt(place),
+                              .width = 2 * radius,
+                              .thickness = 2 * radius,
+                              .round = true});
+    stent.spheres.push_back({.segment = i, .along = 0, .across = 0, .outward = 0, .radius = radius});
+  }
+  return stent.movedOutwards(outwards);
 }
 
 }  // namespace restenosis

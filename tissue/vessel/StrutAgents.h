@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AgentTable.h"
 #include "Stent.h"
 #include "StentParameters.h"
 #include "VesselParameters.h"
@@ -11,9 +12,13 @@ namespace restenosis {
 /// them; open ends of chains are filled. Radius: `cellRadius`, or half the section where that is thinner.
 std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segments, double cellRadius);
 
-/// The stent of a scene before deployment, its outer face at the lumen's surface: a design, or the spheres of
-/// a table, each a strut segment of its own, moved along their radii so that the outermost touches the lumen.
-/// Throws AgentTableError for a table that does not fit, std::invalid_argument for an unknown design.
-Stent makeStent(const StentParameters& stent, const VesselParameters& vessel);
+/// The stent of a design before deployment, its outer face at the lumen's surface. Throws
+/// std::invalid_argument for an unknown design.
+Stent stentOfDesign(const StentParameters& stent, const VesselParameters& vessel);
+
+/// The stent of spheres from a file before deployment: each a strut segment of its own, moved along their
+/// radii so that the outermost touches the lumen. Throws AgentTableError for spheres that do not fit the
+/// vessel (`outwardsToLumen`).
+Stent stentOfSpheres(const AgentTable& struts, const VesselParameters& vessel);
 
 }  // namespace restenosis

@@ -17,5 +17,9 @@ inline double outerRadius(const VesselParameters& vessel) {
 /// far as a stent may go, by its own thickness, reaches sqrt(2) times its outer radius; 1.5 is assumed.
 inline double farthest(const VesselParameters& vessel) { return 1.5 * outerRadius(vessel); }
 
+/// Radius of the least sphere of a strut [m]: that of the smallest cells a scene may have; assumed, no strut
+/// of a design is thinner than 10 um.
+constexpr double leastStrutRadius = 1e-6;
+
 }  // namespace tableBounds
 }  // namespace restenosis

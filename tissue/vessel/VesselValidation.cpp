@@ -4,7 +4,6 @@
 
 #include "AgentCounts.h"
 #include "StentDesign.h"
-#include "StrutTable.h"
 #include "WallTable.h"
 
 namespace restenosis {
@@ -32,7 +31,7 @@ class Validation {
                                                v.stenosisLength / mm, v.length / mm));
     }
     if (!v.agents.empty()) {
-      checkTable("vessel.agents", [&] { readWallTable(v, s); });
+      checkWall(v, s);
     } else {
       try {
         countAgents(v, cylindricalShape(v));
@@ -44,10 +43,7 @@ class Validation {
 
   void checkStent(const StentParameters& s, const VesselParameters& v) {
     checkDepth(s, v);
-    if (!s.file.empty()) {
-      checkTable("stent.file", [&] { readStrutTable(s, v); });
-      return;
-    }
+    if (!s.file.empty()) return;
     if (s.strutThickness >= v.lumenDiameter / 2) {
       add("stent.strutThickness",
           fmt::format("a strut {:.4g} mm thick does not fit a lumen of radius {:.4g} mm (half of "
@@ -67,12 +63,11 @@ class Validation {
  private:
   void add(std::string key, std::string message) { problems.push_back({std::move(key), std::move(message)}); }
 
-  template <class Read>
-  void checkTable(const std::string& key, const Read& read) {
+  void checkWall(const VesselParameters& v, const StentParameters* s) {
     try {
-      read();
+      readWallTable(v, s);
     } catch (const AgentTableError& error) {
-      add(key, error.what());
+      add("vessel.agents", error.what());
     }
   }
 

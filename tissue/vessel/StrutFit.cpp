@@ -1,8 +1,6 @@
-#include "StrutTable.h"
+#include "StrutFit.h"
 
 #include <fmt/format.h>
-
-#include <utility>
 
 #include "Cylindrical.h"
 #include "TableBounds.h"
@@ -11,9 +9,6 @@ namespace restenosis {
 namespace {
 
 constexpr double um = 1e-6;
-
-/// That of the smallest cells a scene may have; assumed: no strut is thinner than 10 um.
-constexpr double leastRadius = 1 * um;
 
 /// A sphere as thick as the lumen's radius is where a strut of a design stops fitting too. With every centre
 /// in the outer half, none of these can reach over the axis. Assumed.
@@ -25,10 +20,11 @@ void checkSphere(const AgentTable& table, Index i, const VesselParameters& vesse
   if (spheres.kind[i] != AgentKind::strut) {
     table.fail(i, "the kind is not strut; a stent's table holds struts only, and needs no column 'kind'");
   }
-  if (radius < leastRadius || radius > halfLumenRadius(vessel)) {
+  if (radius < tableBounds::leastStrutRadius || radius > halfLumenRadius(vessel)) {
     table.fail(i, fmt::format("a radius of {:.6g} um; allowed are {:.6g} to {:.6g} um, a quarter of "
-                              "vessel.lumenDiameter. Lengths of a table are in um",
-                              radius / um, leastRadius / um, halfLumenRadius(vessel) / um));
+                              "vessel.lumenDiameter{}",
+                              radius / um, tableBounds::leastStrutRadius / um, halfLumenRadius(vessel) / um,
+                              table.lines.empty() ? "" : ". Lengths of a table are in um"));
   }
   if (z < 0 || z > vessel.length) {
     table.fail(i,
@@ -53,8 +49,7 @@ void checkSphere(const AgentTable& table, Index i, const VesselParameters& vesse
 
 }  // namespace
 
-StrutTable readStrutTable(const StentParameters& stent, const VesselParameters& vessel) {
-  AgentTable table = readAgentTable(stent.file, AgentKind::strut);
+double outwardsToLumen(const AgentTable& table, const VesselParameters& vessel) {
   const AgentStore& spheres = table.agents;
   const auto reach = [&spheres](Index i) { return radiusOf(spheres.position(i)) + spheres.radius[i]; };
   Index outermost = 0;
@@ -68,13 +63,13 @@ StrutTable readStrutTable(const StentParameters& stent, const VesselParameters& 
     // The thickest sphere that is allowed lies on this bound when it touches the lumen.
     if (moved >= halfLumenRadius(vessel) * (1 - 1e-9)) continue;
     table.fail(i,
-               fmt::format("the sphere lies {:.6g} um further in than the outermost one (line {}) reaches, "
+               fmt::format("the sphere lies {:.6g} um further in than the outermost one ({}) reaches, "
                            "which is put at the lumen's surface; allowed are at most {:.6g} um, a quarter of "
                            "vessel.lumenDiameter",
-                           (reach(outermost) - radiusOf(spheres.position(i))) / um, table.lines[outermost],
+                           (reach(outermost) - radiusOf(spheres.position(i))) / um, table.placeOf(outermost),
                            halfLumenRadius(vessel) / um));
   }
-  return {std::move(table.agents), outwards};
+  return outwards;
 }
 
 }  // namespace restenosis

@@ -2,60 +2,61 @@
 
 #include "Cylindrical.h"
 #include "StrutAgents.h"
-#include "StrutTable.h"
+#include "StrutFit.h"
 #include "TemporaryFolder.h"
 
 namespace restenosis {
 namespace {
 
 /// Tables of spheres for a lumen of radius 250 um.
-class StrutTableTest : public testing::Test {
+class StrutFitTest : public testing::Test {
  protected:
-  StrutTableTest() {
+  StrutFitTest() {
     vessel.length = 0.2e-3;
     vessel.lumenDiameter = 0.5e-3;
     vessel.wallThickness = 0.12e-3;
-    stent.file = (folder.path() / "st.csv").string();
+    file = (folder.path() / "st.csv").string();
   }
+  AgentTable struts() const { return readAgentTable(file, AgentKind::strut); }
   /// What is said of three spheres that fit and these rows, or "accepted".
   std::string finding(const std::string& rows, const std::string& header = "x,y,z,radius\n") const {
     const char* kind = header.find("kind") != std::string::npos ? ",strut" : "";
     std::string text = header;
     for (const char* row : {"230,0,100,20", "0,230,100,20", "-230,0,100,20"})
       text += row + std::string(kind) + '\n';
-    writeText(stent.file, text + rows);
+    writeText(file, text + rows);
     try {
-      readStrutTable(stent, vessel);
+      outwardsToLumen(struts(), vessel);
       return "accepted";
     } catch (const AgentTableError& error) {
       const std::string message = error.what();
-      EXPECT_TRUE(message.starts_with(stent.file)) << message;
-      return message.substr(stent.file.size());
+      EXPECT_TRUE(message.starts_with(file)) << message;
+      return message.substr(file.size());
     }
   }
 
   TemporaryFolder folder;
   VesselParameters vessel;
-  StentParameters stent;
+  std::string file;
 };
 
 #define EXPECT_SAID(text, beginning) EXPECT_TRUE((text).starts_with(beginning)) << (text)
 
-TEST_F(StrutTableTest, SpheresThatFitAreMovedToTheLumen) {
+TEST_F(StrutFitTest, SpheresThatFitAreMovedToTheLumen) {
   EXPECT_EQ(finding("0,-200,100,30\n"), "accepted");
   EXPECT_EQ(finding("0,-240,100,20,strut\n", "x,y,z,radius,kind\n"), "accepted");
-  const Stent placed = makeStent(stent, vessel);
+  const Stent placed = stentOfSpheres(struts(), vessel);
   ASSERT_EQ(placed.spheres.size(), 4u);
   EXPECT_NEAR(radiusOf(placed.centre(3)), 230e-6, 1e-15);
   EXPECT_NEAR(radiusOf(placed.centre(0)), 220e-6, 1e-15);
 }
 
-TEST_F(StrutTableTest, ACrimpedStentIsTaken) {
-  writeText(stent.file, "x,y,z,radius\n60,0,100,10\n0,55,100,10\n-60,0,100,10\n");
-  EXPECT_NEAR(readStrutTable(stent, vessel).outwards, 180e-6, 1e-15);
+TEST_F(StrutFitTest, ACrimpedStentIsTaken) {
+  writeText(file, "x,y,z,radius\n60,0,100,10\n0,55,100,10\n-60,0,100,10\n");
+  EXPECT_NEAR(outwardsToLumen(struts(), vessel), 180e-6, 1e-15);
 }
 
-TEST_F(StrutTableTest, ASphereThatDoesNotFitIsNamed) {
+TEST_F(StrutFitTest, ASphereThatDoesNotFitIsNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"0,-2300,100,20\n",
        ":5: the sphere lies 2300 um from the axis (x = y = 0); allowed are at most 555 um"},
@@ -69,7 +70,7 @@ TEST_F(StrutTableTest, ASphereThatDoesNotFitIsNamed) {
   for (const auto& [row, message] : cases) EXPECT_SAID(finding(row), message);
 }
 
-TEST_F(StrutTableTest, SpheresFarInsideOfTheOutermostAreRefused) {
+TEST_F(StrutFitTest, SpheresFarInsideOfTheOutermostAreRefused) {
   EXPECT_SAID(finding("0,-100,100,20\n"),
               ":5: the sphere lies 150 um further in than the outermost one (line 2) "
               "reaches");
@@ -78,12 +79,12 @@ TEST_F(StrutTableTest, SpheresFarInsideOfTheOutermostAreRefused) {
               "reaches, which is put at the lumen's surface; allowed are at most 125 um");
 }
 
-TEST_F(StrutTableTest, TheThickestSphereAllowedTouchesItsBound) {
-  writeText(stent.file, "x,y,z,radius\n300,0,100,125\n");
-  EXPECT_NEAR(readStrutTable(stent, vessel).outwards, -175e-6, 1e-15);
+TEST_F(StrutFitTest, TheThickestSphereAllowedTouchesItsBound) {
+  writeText(file, "x,y,z,radius\n300,0,100,125\n");
+  EXPECT_NEAR(outwardsToLumen(struts(), vessel), -175e-6, 1e-15);
 }
 
-TEST_F(StrutTableTest, StrutsOnly) {
+TEST_F(StrutFitTest, StrutsOnly) {
   EXPECT_SAID(finding("0,-230,100,20,smc\n", "x,y,z,radius,kind\n"), ":5: the kind is not strut");
 }
 

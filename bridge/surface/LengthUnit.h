@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace restenosis {
+
+/// Length of the unit that a scene names for an STL file, one of "m", "mm" and "um" [m].
+constexpr double metresPer(std::string_view unit) { return unit == "m" ? 1.0 : unit == "mm" ? 1e-3 : 1e-6; }
+
+}  // namespace restenosis

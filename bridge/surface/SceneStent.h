@@ -1,0 +1,21 @@
+#pragma once
+
+#include "AgentTable.h"
+#include "Stent.h"
+#include "StentParameters.h"
+#include "VesselParameters.h"
+
+namespace restenosis {
+
+/// The obstacle spheres of the file that a stent names, where the file has them: the rows of a CSV table, or
+/// those that cover the struts of an STL (`coverSolid`), whose name ends in .stl, in letters of any case. An
+/// STL must lie within the vessel, roughly: by this a mistaken unit is told. Whether spheres fit is for
+/// outwardsToLumen to say. Throws std::runtime_error, which names the file and says what is wrong and what is
+/// allowed; AgentTableError for a table.
+AgentTable readStruts(const StentParameters& stent, const VesselParameters& vessel);
+
+/// The stent of a scene before deployment, its outer face at the lumen's surface: of a design or from a file.
+/// Throws std::runtime_error for a file that cannot be used, std::invalid_argument for an unknown design.
+Stent makeStent(const StentParameters& stent, const VesselParameters& vessel);
+
+}  // namespace restenosis
