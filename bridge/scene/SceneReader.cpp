@@ -152,8 +152,8 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
     section.describe(reader);
     reader.finish(all);
   });
-  resolve(scene, document);
   const auto loaded = takeLumenSurface(scene, document, units_, findings);
+  resolve(scene, document);
   checkScene(scene, document, units_, loaded, findings);
 
   if (findings.diagnostics.empty()) return scene;

@@ -140,9 +140,8 @@ TEST_F(WrongLumen, BentForABackendThatNeedsStraight) {
                 {"--flow", "lbm"});
 }
 
-TEST_F(WrongLumen, NotWithTissueNorStenosis) {
+TEST_F(WrongLumen, NotWithStenosis) {
   write(good);
-  expectRefused(std::string(loadedScene) + "[mechanics]\n", {"without tissue"});
   expectRefused(with(loadedScene, "\"mm\"", "\"mm\"\nstenosis = 0.5"), {"'stenosis' shapes a cylinder"});
 }
 
