@@ -1,12 +1,12 @@
 #include "StraightEnds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 #include <stdexcept>
 #include <unordered_map>
+#include <vector>
 
 #include "LumenShape.h"
+#include "NearestTriangle.h"
 #include "SurfaceEnds.h"
 
 namespace restenosis {
@@ -39,13 +39,21 @@ void carryOn(TriSurface& lumen, const SurfaceEdges& edges, SurfaceRegion end, co
       for (auto& vertex : lumen.triangles[t]) vertex = copyOf(vertex);
 }
 
-/// Whether a place lies in the straight piece beyond an end, whose section fits into a circle of twice the
-/// end's radius: elsewhere beyond the plane the lumen itself may pass.
-bool beyond(const EndPlane& end, const Vec3& place, double length) {
-  const Vec3 from = place - end.centre;
-  const double along = from.dot(end.normal);
-  const double radius = std::sqrt(end.area / std::numbers::pi);
-  return along > 0.0 && along <= 1.01 * length && (from - along * end.normal).norm() < 2.0 * radius;
+/// The sides of the lumen with straight ends, and how many of their triangles are the lumen's own, which come
+/// first.
+struct Sides {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t own = 0;
+};
+
+Sides sidesOf(const TriSurface& longer, std::size_t lumenTriangles) {
+  Sides sides;
+  for (std::size_t t = 0; t < longer.triangles.size(); ++t) {
+    if (longer.region[t] == SurfaceRegion::inlet || longer.region[t] == SurfaceRegion::outlet) continue;
+    sides.triangles.push_back(longer.triangles[t]);
+    if (t < lumenTriangles) sides.own = sides.triangles.size();
+  }
+  return sides;
 }
 
 }  // namespace
@@ -72,10 +80,11 @@ FlowSolution StraightEnds::solve(const TriSurface& lumen, const FlowConditions& 
     throw FlowFailed(error.what(), {});
   }
   FlowSolution solution = backend_->solve(longer, conditions, caseFolder);
-  const EndPlane ends[] = {endPlane(lumen, SurfaceRegion::inlet), endPlane(lumen, SurfaceRegion::outlet)};
-  std::erase_if(solution.wall, [&](const WallFace& face) {
-    return std::ranges::any_of(ends, [&](const EndPlane& end) { return beyond(end, face.centre, length_); });
-  });
+  // By the nearest triangle, not by place: a bent lumen may pass beside its own straight ends
+  const Sides sides = sidesOf(longer, lumen.triangles.size());
+  const NearestTriangle nearest(longer.vertices, sides.triangles);
+  std::erase_if(solution.wall,
+                [&](const WallFace& face) { return nearest.at(face.centre).triangle >= sides.own; });
   return solution;
 }
 

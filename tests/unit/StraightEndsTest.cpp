@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <vector>
+
 #include "AnalyticBackend.h"
 #include "Constants.h"
 #include "FlowSupport.h"
@@ -49,6 +52,37 @@ TEST(StraightEnds, theWallOfTheSolutionIsTheLumens) {
   for (std::size_t i = 0; i < plain.wall.size(); ++i)
     EXPECT_LT((longer.wall[i].centre - plain.wall[i].centre).norm(), 1e-12);
   EXPECT_GT(longer.pressureDrop, plain.pressureDrop);
+}
+
+/// A face at the centre of every triangle of the sides.
+class FaceOfEachTriangle : public FlowBackend {
+ public:
+  std::string_view name() const override { return "faces"; }
+  FlowSolution solve(const TriSurface& lumen, const FlowConditions&, const std::filesystem::path&) override {
+    FlowSolution solution;
+    for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
+      if (lumen.region[t] == SurfaceRegion::wall)
+        solution.wall.push_back(
+            {lumen.centre(t), lumen.areaVector(t).norm(), Vec3::UnitZ(), SurfaceRegion::wall});
+    return solution;
+  }
+};
+
+TEST(StraightEnds, leaveTheWallOfALumenThatPassesBesideThem) {
+  // A U with legs of 0.2 and 2 mm, 1.4 mm apart: the longer one runs along the end of the shorter one
+  constexpr double bend = 0.7e-3;
+  std::vector<AxisPoint> axis = {{Vec3::Zero(), Vec3::UnitZ()}};
+  for (int i = 0; i <= 24; ++i) {
+    const double turn = std::numbers::pi * i / 24;
+    axis.push_back({Vec3(bend * (1 - std::cos(turn)), 0, 0.2e-3 + bend * std::sin(turn)),
+                    Vec3(std::sin(turn), 0, std::cos(turn))});
+  }
+  for (int i = 1; i <= 20; ++i) axis.push_back({Vec3(2 * bend, 0, 0.2e-3 - 1e-4 * i), -Vec3::UnitZ()});
+  const TriSurface lumen = sweptTube(axis, 0.5e-3);
+  StraightEnds backend(std::make_unique<FaceOfEachTriangle>(), 1.5e-3);
+  const FlowSolution solution = backend.solve(lumen, vesselConditions(), {});
+  EXPECT_EQ(solution.wall.size(),
+            static_cast<std::size_t>(std::ranges::count(lumen.region, SurfaceRegion::wall)));
 }
 
 TEST(StraightEnds, refuseLengthsAndSurfacesThatHaveNone) {
