@@ -75,10 +75,11 @@ template <class Blame>
 void checkWall(const Scene& scene, const Blame& blameVessel) {
   const VesselParameters& vessel = scene.vessel;
   try {
-    loadedWallShape(vessel);
+    const TriSurface lumen = lumenOfTissue(vessel);
+    wallOutwards(lumen, vessel);
     if (!scene.stent) return;
-    const RadiusMap lumen = lumenFromAxis(lumenOfTissue(vessel), vessel.cellRadius);
-    const double narrowest = std::ranges::min(lumen.values());
+    const RadiusMap fromAxis = lumenFromAxis(lumen, vessel.cellRadius);
+    const double narrowest = std::ranges::min(fromAxis.values());
     if (vessel.lumenDiameter / 2 <= narrowest + vessel.cellRadius) return;
     blameVessel(
         "lumenDiameter",
