@@ -71,14 +71,15 @@ const TriSurface& World::lumenSurface() {
 
 std::pair<double, double> World::measuredSection() const {
   if (!stent || stent->segments.empty()) return {0.0, wall.length};
-  double from = wall.length, to = 0.0;
+  double from = wall.length, to = 0.0, width = 0.0;
   for (const auto& segment : stent->segments) {
     from = std::min({from, segment.a.z(), segment.b.z()});
     to = std::max({to, segment.a.z(), segment.b.z()});
+    width = std::max(width, segment.width);
   }
   // The tissue beside the outermost struts belongs to the stented section (assumed: 2.5 strut widths from
   // their centre).
-  const double margin = 2.5 * scene.stent->strutWidth;
+  const double margin = 2.5 * width;
   return {std::max(0.0, from - margin), std::min(wall.length, to + margin)};
 }
 

@@ -69,6 +69,24 @@ std::uint64_t countFree(const AgentStore& agents) {
   return static_cast<std::uint64_t>(std::ranges::count(agents.flags, 0));
 }
 
+TEST(Relaxation, LeavesFixedAgentsThePressureOfTheirPlaceToo) {
+  for (const auto* precision : {"double", "mixed"}) {
+    MechanicsParameters p;
+    p.precision = precision;
+    Block block(7);
+    Relaxation relaxation(p, r);
+    const auto expectPressures = [&] {
+      relaxation.relaxAgain(block.agents, block.bonds, {});
+      const auto loads = ForceField(p).evaluate(block.agents, block.bonds);
+      for (Index i = 0; i < block.agents.size(); ++i)
+        ASSERT_EQ(block.agents.pressure[i], loads[i].pressure) << precision << " " << i;
+    };
+    expectPressures();
+    block.agents.radius[block.agents.size() / 10] *= 1.2;
+    expectPressures();
+  }
+}
+
 TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
   for (const auto* law : {"hertz", "hertzNeoHookean"}) {
     for (const auto* minimiser : {"fire", "overdamped"}) {

@@ -240,12 +240,25 @@ std::vector<Index> AgentForces::unsure(const MovingAgents& moving) {
   return agentsOf(free_, [this](Index i) { return unsure_.marked(i); });
 }
 
+void AgentForces::pressHeld() {
+  const std::vector<Index> held = agentsThat(size(), [this](Index i) {
+    return unsure_.marked(i) && agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
+  });
+  forEachPiece(held.size(), [&](std::size_t begin, std::size_t end) {
+    std::array<AgentLoad, chunkSize> loads;
+    field_.evaluate(spheres_.exact(), pairs_, std::span(held).subspan(begin, end - begin), loads);
+    for (std::size_t k = begin; k < end; ++k) agents_.pressure[held[k]] = loads[k - begin].pressure;
+  });
+  evaluations_ += held.size();
+}
+
 void AgentForces::evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving,
                                   const Take& take) {
   evaluateResting(spheres_.exact(), unsure, [&](std::size_t k, Index i, const AgentForce& on) {
     residual_[i] = on.force.norm();
     take(k, i, on);
   });
+  pressHeld();
   unsure_.know();
   unsure_.stopMoving();
   unsure_.startMoving(moving);

@@ -88,7 +88,8 @@ class AgentForces {
   /// Tells the store where the agents that move are, and returns whose forces may have changed since
   /// evaluateExactly() computed them, in ascending order.
   std::vector<Index> unsure(const MovingAgents& moving);
-  /// Computes the forces on `unsure`, all that are, in double precision, and takes them as evaluate() does.
+  /// Computes the forces on `unsure`, all that are, in double precision, and takes them as evaluate() does;
+  /// and the pressures of fixed agents.
   /// From then on the agents `moving` move.
   void evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving, const Take& take);
 
@@ -109,6 +110,8 @@ class AgentForces {
   void evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set, const Seen& look);
   template <class Spheres>
   void evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take);
+  /// Sets the pressures of those fixed agents of whom something may have changed.
+  void pressHeld();
 
   AgentStore& agents_;
   const BondTable& bonds_;
