@@ -46,6 +46,7 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
   name("summary.json", "final values, digest, cost by part");
   name("timeSeries.csv", "one row a recorded step");
   name("profile.csv", "final lumen along the vessel");
+  name("thicknessMap.csv", "final neointima along and around the vessel");
   name("tissue.pvd", "agents in time: open in ParaView (Point Gaussian, scale by radius)");
   name("lumen.pvd", "lumen with wall shear stress in time: open in ParaView");
   if (std::filesystem::exists(path / "flow")) {
@@ -107,7 +108,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   if (scene.flow && scene.flow->backend == flowBackendNames::foam) requireFoamPath(path);
-  const auto folder = arguments.resume ? ResultsFolder::existing(path) : ResultsFolder::fresh(path);
+  const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
   for (const std::string& known : flowForecast(scene, arguments.ranks))
     std::cerr << fmt::format("The flow, once it is due, {}\n", known);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);

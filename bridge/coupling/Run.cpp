@@ -27,6 +27,7 @@
 #include "StateArchive.h"
 #include "StateCounts.h"
 #include "SummaryJson.h"
+#include "ThicknessMapCsv.h"
 #include "WallPacking.h"
 #include "WallShearPart.h"
 #include "WallTable.h"
@@ -344,6 +345,7 @@ void Run::writeFinalResults() {
     rows[k].neointimaThickness = neointima->thickness[k];
   }
   writeProfileCsv(folder_.profile(), rows);
+  if (neointima) writeThicknessMapCsv(folder_.thicknessMap(), world_.lumen.afterDeployment, present);
   writeSummary();
 }
 

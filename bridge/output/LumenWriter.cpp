@@ -87,7 +87,7 @@ vtkNew<vtkPolyData> tube(const TriSurface& lumen, const std::vector<std::size_t>
 }  // namespace
 
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
-                double time) {
+                double time, const RadialMap* postDeployment) {
   const auto triangles = sideTriangles(lumen);
   const auto tractions = nearestTractions(lumen, triangles, flow);
   const auto data = tube(lumen, triangles);
@@ -98,11 +98,16 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
                           [&](std::size_t k, int) { return tractions[k].norm(); });
   addArray<vtkFloatArray>(cells, "traction", triangles.size(), 3,
                           [&](std::size_t k, int c) { return tractions[k][c]; });
-  addArray<vtkFloatArray>(data->GetPointData(), "lumenRadius",
-                          static_cast<std::size_t>(data->GetNumberOfPoints()), 1, [&](std::size_t p, int) {
-                            const double* point = data->GetPoint(static_cast<vtkIdType>(p));
-                            return std::hypot(point[0], point[1]);
-                          });
+  const auto points = static_cast<std::size_t>(data->GetNumberOfPoints());
+  const auto place = [&](std::size_t p) { return Vec3(data->GetPoint(static_cast<vtkIdType>(p))); };
+  const auto radius = [&](std::size_t p) { return std::hypot(place(p).x(), place(p).y()); };
+  addArray<vtkFloatArray>(data->GetPointData(), "lumenRadius", points, 1,
+                          [&](std::size_t p, int) { return radius(p); });
+  if (postDeployment != nullptr) {
+    addArray<vtkFloatArray>(data->GetPointData(), "neointimaThickness", points, 1, [&](std::size_t p, int) {
+      return postDeployment->radiusAt(place(p)) - radius(p);
+    });
+  }
   addCentre(*data, "inletCentre", lumen, SurfaceRegion::inlet);
   addCentre(*data, "outletCentre", lumen, SurfaceRegion::outlet);
   writePolyData(file, data, time);

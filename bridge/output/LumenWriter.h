@@ -3,19 +3,21 @@
 #include <filesystem>
 
 #include "FlowBackend.h"
+#include "RadialMap.h"
 #include "TriSurface.h"
 
 namespace restenosis {
 
 /// Writes the lumen's wall and struts (the open tube: the ends would hide its inside) [m] with the arrays
 /// region (0 wall, 1 strut), WSS (magnitude) and traction (vector) [Pa] on its triangles, and lumenRadius
-/// (distance from the vessel's axis) [m] on its points. The field data inletCentre and outletCentre [m] say
-/// where the ends are that it has.
+/// (distance from the vessel's axis) [m] on its points; where the lumen just after deployment is given,
+/// neointimaThickness (its radius there minus the present one) [m], too. The field data inletCentre and
+/// outletCentre [m] say where the ends are that it has.
 ///
 /// A triangle carries the traction of the flow's nearest face of its region (of the other one where the flow
 /// has none), whatever the flow's own faces are; NaN, that is "not known", when `flow` is null or has no
 /// faces. `time` is in s. Throws WriteFailed.
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
-                double time);
+                double time, const RadialMap* postDeployment = nullptr);
 
 }  // namespace restenosis

@@ -34,6 +34,7 @@ void PartTimer::leave() {
 }
 
 void PartTimer::transfer(const std::string& from, const std::string& to, double seconds) {
+  book();  // what is measured right now counts, too
   auto& source = costs_[from];
   auto& target = costs_[to];
   source.seconds -= seconds;

@@ -40,7 +40,8 @@ class PartTimer {
   };
 
   [[nodiscard]] Measurement measure(std::string part) { return {*this, std::move(part)}; }
-  /// Books seconds measured as one part to another: a flow backend tells afterwards how long it meshed.
+  /// Books seconds measured as one part to another: a flow backend tells afterwards how long it meshed. Peak
+  /// memory is not told apart: the other part has that of this one.
   void transfer(const std::string& from, const std::string& to, double seconds);
 
   const std::map<std::string, PartCost>& costs() const { return costs_; }

@@ -30,10 +30,12 @@ constexpr const char* marker = ".restenosisFoam";
 constexpr const char* previous = "previous";
 
 bool writtenByRun(const fs::path& name) {
-  static constexpr std::array<std::string_view, 18> names{
-      "scene.toml",   "timeSeries.csv", "profile.csv", "summary.json", "tissue.pvd",  "lumen.pvd",
-      "tissue",       "lumen",          "flow",        "checkpoint",   "report.html", "figures.log",
-      "compare.json", "growth.png",     "lumen.png",   "section.png",  "lumen3d.png", "compare"};
+  static constexpr std::array<std::string_view, 19> names{
+      "scene.toml",   "timeSeries.csv", "profile.csv", "thicknessMap.csv",
+      "summary.json", "tissue.pvd",     "lumen.pvd",   "tissue",
+      "lumen",        "flow",           "checkpoint",  "report.html",
+      "figures.log",  "compare.json",   "growth.png",  "lumen.png",
+      "section.png",  "lumen3d.png",    "compare"};
   const auto text = name.string();
   const auto whole = text.ends_with(".partial") ? text.substr(0, text.size() - 8) : text;
   return std::ranges::find(names, whole) != names.end();
@@ -165,6 +167,11 @@ ResultsFolder ResultsFolder::existing(const fs::path& folder) {
   if (!isThere(folder, marker))
     throw FolderRefused(fmt::format("{} is not a results folder of restenosisFoam", folder.string()));
   return ResultsFolder(folder, acquireLock(folder));
+}
+
+ResultsFolder ResultsFolder::resumed(const fs::path& folder) {
+  const bool nothing = !isThere(folder) || (fs::is_directory(folder) && isEmpty(folder));
+  return nothing ? fresh(folder) : existing(folder);
 }
 
 ResultsFolder::ResultsFolder(ResultsFolder&& other) noexcept

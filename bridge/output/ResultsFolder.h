@@ -32,6 +32,9 @@ class ResultsFolder {
   /// For a run to go on with, or to be looked at: everything stays. Throws FolderRefused when it is no
   /// results folder.
   static ResultsFolder existing(const std::filesystem::path& folder);
+  /// For a run to go on with, which may have been killed before it made its folder: the same, but a folder
+  /// that is not there, or empty, is that of a new run.
+  static ResultsFolder resumed(const std::filesystem::path& folder);
 
   /// Whether a file is part of the results in `folder`, which a new run moves aside or removes.
   static bool holdsAsResult(const std::filesystem::path& folder, const std::filesystem::path& file);
@@ -48,6 +51,7 @@ class ResultsFolder {
   std::filesystem::path scene() const { return folder_ / "scene.toml"; }
   std::filesystem::path timeSeries() const { return folder_ / "timeSeries.csv"; }
   std::filesystem::path profile() const { return folder_ / "profile.csv"; }
+  std::filesystem::path thicknessMap() const { return folder_ / "thicknessMap.csv"; }
   std::filesystem::path summary() const { return folder_ / "summary.json"; }
   std::filesystem::path checkpoint() const { return folder_ / "checkpoint"; }
   /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals

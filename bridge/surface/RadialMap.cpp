@@ -146,7 +146,6 @@ LumenDisplacement displacement(const RadialMap& before, const RadialMap& after) 
 Neointima measureNeointima(const RadialMap& reference, const RadialMap& present, double from, double to) {
   if (!reference.comparable(present)) throw std::invalid_argument("radial maps differ in planes or angles");
   Neointima n;
-  n.thicknessByAngle.assign(reference.angles(), 0.0);
   double weights = 0;
   const int nearest = reference.nearestPlane(0.5 * (from + to));
   from = std::min(from, reference.z(nearest)), to = std::max(to, reference.z(nearest));
@@ -154,11 +153,8 @@ Neointima measureNeointima(const RadialMap& reference, const RadialMap& present,
     if (reference.z(k) < from || reference.z(k) > to) continue;
     const double weight = reference.planeWeight(k);
     double thickness = 0;
-    for (int a = 0; a < reference.angles(); ++a) {
-      const double t = reference.radius(k, a) - present.radius(k, a);
-      thickness += t / reference.angles();
-      n.thicknessByAngle[a] += weight * t;
-    }
+    for (int a = 0; a < reference.angles(); ++a)
+      thickness += (reference.radius(k, a) - present.radius(k, a)) / reference.angles();
     const double area = reference.lumenArea(k);
     n.z.push_back(reference.z(k));
     n.thickness.push_back(thickness);
@@ -169,7 +165,6 @@ Neointima measureNeointima(const RadialMap& reference, const RadialMap& present,
   }
   n.meanThickness /= weights;
   n.meanAreaFraction /= weights;
-  for (double& t : n.thicknessByAngle) t /= weights;
   return n;
 }
 

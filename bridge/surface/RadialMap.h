@@ -67,12 +67,11 @@ LumenDisplacement displacement(const RadialMap& before, const RadialMap& after);
 
 /// Neointima (model 10): the post-deployment lumen minus the present one.
 struct Neointima {
-  double meanThickness = 0;              ///< over the section asked for [m]
-  double meanAreaFraction = 0;           ///< 1 - lumen / post-deployment lumen area, mean over the section
-  std::vector<double> z;                 ///< planes of the section [m]
-  std::vector<double> thickness;         ///< mean over the angles, by plane [m]
-  std::vector<double> areaFraction;      ///< by plane
-  std::vector<double> thicknessByAngle;  ///< mean over the section, by angle [m]
+  double meanThickness = 0;          ///< over the section asked for [m]
+  double meanAreaFraction = 0;       ///< 1 - lumen / post-deployment lumen area, mean over the section
+  std::vector<double> z;             ///< planes of the section [m]
+  std::vector<double> thickness;     ///< mean over the angles, by plane [m]
+  std::vector<double> areaFraction;  ///< by plane
 };
 
 /// Measures the neointima between axial positions `from` and `to` [m]. Thickness is signed: where the lumen

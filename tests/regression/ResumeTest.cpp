@@ -242,11 +242,24 @@ TEST_F(Resume, AFlowInALumenThatStaysIsSolvedAnewWithOtherSettings) {
             std::abs(double{coarse["poiseuille"]["l2Error"]}));
 }
 
-TEST_F(Resume, SaysWhenThereIsNothingToResume) {
-  const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "nowhere", "--resume"});
+TEST_F(Resume, BeginsWhereARunWasKilledBeforeItMadeItsFolder) {
+  const std::string tiny = scene("tiny", tinyScene);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "whole"}), 0);
+  std::filesystem::create_directory(folder.path() / "empty");
+  for (const auto* out : {"nowhere", "empty"}) {
+    const ProcessEnd end = run({"run", tiny, "-o", out, "--resume"});
+    ASSERT_EXIT_STATUS(end, 0);
+    EXPECT_NE((end.out + end.err).find("no checkpoint: starting afresh"), std::string::npos) << end.out;
+    EXPECT_EQ(summary(out)["stateDigest"], summary("whole")["stateDigest"]);
+  }
+}
+
+TEST_F(Resume, RefusesAFolderOfSomethingElse) {
+  std::filesystem::create_directory(folder.path() / "mine");
+  std::ofstream(folder.path() / "mine" / "thesis.txt") << "mine";
+  const ProcessEnd end = run({"run", scene("tiny", tinyScene), "-o", "mine", "--resume"});
   EXPECT_EXIT_STATUS(end, 2);
-  EXPECT_NE(end.err.find("there is no folder nowhere"), std::string::npos) << end.err;
-  EXPECT_FALSE(exists("nowhere"));
+  EXPECT_NE(end.err.find("is not a results folder of restenosisFoam"), std::string::npos) << end.err;
 }
 
 }  // namespace

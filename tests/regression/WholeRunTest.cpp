@@ -90,6 +90,15 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   EXPECT_GE(profile.last("z_mm"), 0.2);
   EXPECT_LE(profile.last("z_mm"), 0.24);
 
+  const CsvColumns map(folder / "out/thicknessMap.csv");
+  ASSERT_EQ(map.rows(), 360 * profile.rows());
+  for (std::size_t plane = 0; plane < profile.rows(); ++plane) {
+    double mean = 0;
+    for (std::size_t ray = 0; ray < 360; ++ray)
+      mean += map.values.at("neointimaThickness_um")[360 * plane + ray].value() / 360;
+    EXPECT_NEAR(mean, profile.values.at("neointimaThickness_um")[plane].value(), 1e-4);
+  }
+
   const auto tissue = filesOf("out/tissue.pvd"), lumen = filesOf("out/lumen.pvd");
   ASSERT_EQ(tissue.size(), series.rows());
   ASSERT_EQ(lumen.size(), series.rows());
@@ -98,7 +107,9 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   const auto agents = readPolyData(tissue.back());
   for (const char* name : {"radius", "kind", "state", "stress", "NO"})
     EXPECT_TRUE(agents->GetPointData()->HasArray(name)) << name;
-  EXPECT_GT(readPolyData(lumen.back())->GetNumberOfCells(), 100);
+  const auto surface = readPolyData(lumen.back());
+  EXPECT_GT(surface->GetNumberOfCells(), 100);
+  EXPECT_TRUE(surface->GetPointData()->HasArray("neointimaThickness"));
   EXPECT_TRUE(exists("out/checkpoint"));
 }
 

@@ -55,6 +55,15 @@ TEST(PartTimer, BooksSecondsToAnotherPart) {
   EXPECT_NEAR(timer.totalSeconds(), before, 1e-12);
 }
 
+TEST(PartTimer, GivesThePeakOfAPartStillMeasuredToAnother) {
+  PartTimer timer;
+  {
+    const auto part = timer.measure("flow");
+    timer.transfer("flow", "mesh", 0);
+  }
+  EXPECT_GT(timer.costs().at("mesh").peakMemory, 0u);
+}
+
 TEST(PartTimer, AddsUpOverAResume) {
   PartTimer first;
   {

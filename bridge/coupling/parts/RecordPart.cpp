@@ -21,11 +21,10 @@ std::vector<Quantity> RecordPart::reads() const {
 }
 
 Verdict RecordPart::needs(Quantity quantity, const Instant& now) const {
-  if (!now.recorded) return Verdict::skip("nothing is recorded in this step");
   // Where there is tissue, flow is a means to its growth; without, it is what the scene is about.
   const bool flow = quantity == Quantity::wallTraction || quantity == Quantity::wallShearStress;
   if (flow && world_.scene.hasTissue()) return Verdict::skip("no rule reads wall shear stress");
-  return Verdict::run();
+  return now.recorded ? Verdict::run() : Verdict::skip("nothing is recorded in this step");
 }
 
 void RecordPart::begin() {
@@ -43,7 +42,8 @@ void RecordPart::run(const Instant& now) {
     tissue_.add(now.step, now.time);
   }
   if (!world_.lumen.closed) {
-    writeLumen(lumen_.dataFile(now.step), world_.lumenSurface(), flow, now.time);
+    const RadialMap* postDeployment = world_.scene.hasTissue() ? &world_.lumen.afterDeployment : nullptr;
+    writeLumen(lumen_.dataFile(now.step), world_.lumenSurface(), flow, now.time, postDeployment);
     lumen_.add(now.step, now.time);
   }
   world_.flow.solvesRecorded = world_.flow.solves;
