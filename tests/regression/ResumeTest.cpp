@@ -242,6 +242,17 @@ TEST_F(Resume, AFlowInALumenThatStaysIsSolvedAnewWithOtherSettings) {
             std::abs(double{coarse["poiseuille"]["l2Error"]}));
 }
 
+TEST_F(Resume, GoesOnWithTheBondsThatBrokeAndWereMade) {
+  const std::string tiny = scene(
+      "tiny", with(tinyScene, "[mechanics]", "[mechanics]\nbondDaughters = true\nbondStrainLimit = 0.3"));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "whole"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "parts", "--set", "scene.duration=3 d"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "parts", "--resume", "--threads", "1"}), 0);
+  EXPECT_EQ(summary("parts")["stateDigest"], summary("whole")["stateDigest"]);
+  ASSERT_EXIT_STATUS(run({"run", scene("plain", tinyScene), "-o", "plain"}), 0);
+  EXPECT_NE(summary("plain")["stateDigest"], summary("whole")["stateDigest"]);
+}
+
 TEST_F(Resume, BeginsWhereARunWasKilledBeforeItMadeItsFolder) {
   const std::string tiny = scene("tiny", tinyScene);
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "whole"}), 0);

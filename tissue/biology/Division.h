@@ -21,8 +21,7 @@ AgentId daughterId(AgentId mother, std::uint32_t generation);
 /// uniformly on the sphere by (seed, mother's id, generation). Both start in G0, with the mother's clock
 /// (what the step left over) and one generation on; the daughter inherits the flags `synthetic` and
 /// `covered`, the WSS, nitric oxide and stress last known of the mother, and is flagged `daughter`. Whatever
-/// bonds the mother has she keeps, with their rest lengths; the daughter has none, so that the wall's bonds
-/// stay those of the packed wall.
+/// bonds the mother has she keeps, with their rest lengths; the daughter has none (see bondDaughters).
 class Division {
  public:
   Division(std::uint64_t seed, double displacement) : seed_(seed), displacement_(displacement) {}

@@ -26,6 +26,18 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
                                .maximum = 100,
                                .source = "assumed",
                                .description = "stiffness of bonds along the axis over that of bonds around"});
+  p.quantity(bondStrainLimit,
+             {.key = "bondStrainLimit",
+              .minimum = 0,
+              .maximum = 100,
+              .source = "assumed",
+              .description = "strain past which a bond breaks, but for those within the IEL, which "
+                             "[injury] breaks; 0: no limit"});
+  p.boolean(
+      bondDaughters,
+      {.key = "bondDaughters",
+       .source = "assumed",
+       .description = "bond daughters, once they have come to rest, to agents within vessel.bondRange"});
   p.quantity(cohesionModulus, {.key = "cohesionModulus",
                                .unit = "MPa",
                                .minimum = 0,

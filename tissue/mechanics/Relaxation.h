@@ -21,6 +21,13 @@ struct RelaxationReport {
   double residual = 0;                 ///< largest force left on a free agent over C r0^2
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
   bool converged = false;
+
+  /// Another relaxation has followed this one.
+  void goOnWith(const RelaxationReport& next) {
+    iterations += next.iterations;
+    agentEvaluations += next.agentEvaluations;
+    residual = next.residual, converged = next.converged;
+  }
 };
 
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "BondTurnover.h"
 #include "EndPlanes.h"
 #include "OuterConfinement.h"
 
@@ -16,6 +17,7 @@ Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameter
     : wall_(wall),
       undeployed_(std::move(stent)),
       relaxation_(mechanics, vessel.cellRadius),
+      bondStrainLimit_(mechanics.bondStrainLimit),
       depth_(parameters.deploymentDepth),
       steps_(static_cast<int>(parameters.deploymentSteps)),
       stepsDone_(stepsDone) {
@@ -67,7 +69,9 @@ RelaxationReport Deployment::step() {
   const EndPlanes ends(wall_.length);
   const OuterConfinement outside(wall_.agents, wall_.cellRadius);
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};
-  const RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+  RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+  while (breakStrainedBonds(wall_.agents, wall_.bonds, bondStrainLimit_) > 0)
+    report.goOnWith(relaxation_.relax(wall_.agents, wall_.bonds, constraints));
   wall_.lastMove.resize(3 * before.size());
   for (Index i = 0; i < agents.size(); ++i) {
     const Vec3 move = agents.position(i) - before[i];

@@ -33,7 +33,7 @@ class Deployment {
   /// Depth of the outer face beyond the undeformed lumen after k steps [m].
   double depthAfter(int k) const;
 
-  /// Moves the stent by one step and relaxes the wall. Throws RelaxationFailed.
+  /// Moves the stent by one step and relaxes the wall, again where bonds break. Throws RelaxationFailed.
   RelaxationReport step();
   /// All remaining steps; calls `progress` after each.
   void run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress = {});
@@ -51,6 +51,7 @@ class Deployment {
   Wall& wall_;
   Stent undeployed_, stent_;
   Relaxation relaxation_;
+  double bondStrainLimit_;
   double depth_;
   int steps_, stepsDone_;
   std::vector<Index> strutAgents_;  ///< of each sphere of the stent

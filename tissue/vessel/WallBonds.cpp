@@ -1,8 +1,9 @@
 #include "WallBonds.h"
 
-#include <algorithm>
-#include <tuple>
+#include <utility>
+#include <vector>
 
+#include "BondCandidates.h"
 #include "NeighbourQuery.h"
 
 namespace restenosis {
@@ -13,30 +14,16 @@ std::size_t bondWall(Wall& wall, double range) {
   wall.bonds.resize(agents.size());
   if (agents.size() == 0 || !(range > 0)) return 0;
 
-  struct Pair {
-    double distance;
-    Index a, b;
-  };
   const CellGrid grid(agents, 2 * range * NeighbourQuery::largestRadius(agents));
   NeighbourQuery query(agents, grid);
-  std::vector<Pair> pairs;
+  std::vector<BondCandidate> pairs;
   for (Index a = 0; a < agents.size(); ++a) {
     if (agents.kind[a] == AgentKind::strut) continue;
     query.forEachNeighbour(a, range, [&](Index b, double distance) {
       if (b > a && agents.kind[b] != AgentKind::strut) pairs.push_back({distance, a, b});
     });
   }
-  // Ids break ties, so that the order of agents in memory cannot matter.
-  std::ranges::sort(pairs, [&](const Pair& p, const Pair& q) {
-    const auto key = [&](const Pair& pair) {
-      const auto [low, high] = std::minmax(agents.id[pair.a], agents.id[pair.b]);
-      return std::tuple(pair.distance, low, high);
-    };
-    return key(p) < key(q);
-  });
-  std::size_t made = 0;
-  for (const Pair& pair : pairs) made += wall.bonds.connect(pair.a, pair.b, pair.distance);
-  return made;
+  return connectNearestFirst(agents, wall.bonds, std::move(pairs));
 }
 
 }  // namespace restenosis

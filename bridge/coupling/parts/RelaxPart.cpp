@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "BondTurnover.h"
+
 namespace restenosis {
 
 RelaxPart::RelaxPart(World& world)
@@ -18,7 +20,15 @@ void RelaxPart::run(const Instant& now) {
   auto measurement = world_.timer.measure("relax");
   world_.forgetLumen();
   const std::array<const Constraint*, 2> constraints{&world_.confinement, &ends_};
-  const RelaxationReport report = relaxation_.relaxAgain(world_.wall.agents, world_.wall.bonds, constraints);
+  const MechanicsParameters& mechanics = *world_.scene.mechanics;
+  AgentStore& agents = world_.wall.agents;
+  BondTable& bonds = world_.wall.bonds;
+  RelaxationReport report = relaxation_.relaxAgain(agents, bonds, constraints);
+  while (breakStrainedBonds(agents, bonds, mechanics.bondStrainLimit) > 0)
+    report.goOnWith(relaxation_.relax(agents, bonds, constraints));
+  // At rest, so that the new bonds carry nothing
+  if (mechanics.bondDaughters && bondDaughters(agents, bonds, world_.scene.vessel.bondRange) > 0)
+    relaxation_.forget();
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
   world_.relaxation.agentEvaluations += report.agentEvaluations;
   // What is recorded is copied: the relaxation makes room, or both together would be the peak of memory.
