@@ -20,6 +20,7 @@
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
 #include "FoamPath.h"
+#include "OptionChecks.h"
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "SceneArguments.h"
@@ -187,9 +188,11 @@ void addCompareCommand(CLI::App& app, int& status) {
   arguments->scene.addTo(*command);
   command->get_option("SCENE")->description(
       "scene file (TOML), for the lumen just after deployment, or the results folder of a run");
-  command->add_option("-o,--output", arguments->folder,
-                      "folder for the comparison (default: results/<scene name>-compare, or compare/ in the "
-                      "results folder)");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for the comparison (default: results/<scene name>-compare, or compare/ in the "
+                   "results folder)")
+      ->check(aFolder());
   command
       ->add_option("--day", arguments->day,
                    "of the run's lumens, the one nearest to this day (default: the last)")
@@ -199,9 +202,9 @@ void addCompareCommand(CLI::App& app, int& status) {
         return finite ? std::string() : fmt::format("{} is not a day", text);
       });
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
-      ->check(CLI::Range(1, mostThreads));
+      ->check(countUpTo(mostThreads));
   command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
-      ->check(CLI::Range(1, 1024));
+      ->check(countUpTo(mostRanks));
   command->callback([arguments, &status] { status = tryCompare(*arguments); });
 }
 

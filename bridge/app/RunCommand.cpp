@@ -14,6 +14,7 @@
 #include "FlowBackendNames.h"
 #include "FlowForecast.h"
 #include "FoamPath.h"
+#include "OptionChecks.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -147,15 +148,16 @@ void addRunCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RunArguments>();
   arguments->scene.addTo(*command);
   arguments->scene.addFlowTo(*command);
-  command->add_option("-o,--output", arguments->folder,
-                      "folder for the results (default: results/<scene name>)");
+  command
+      ->add_option("-o,--output", arguments->folder, "folder for the results (default: results/<scene name>)")
+      ->check(aFolder());
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
-      ->check(CLI::Range(1, mostThreads));
+      ->check(countUpTo(mostThreads));
   command
       ->add_option("--ranks", arguments->ranks,
                    "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "
                    "solver's tolerance")
-      ->check(CLI::Range(1, 1024));
+      ->check(countUpTo(mostRanks));
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
   command->callback([arguments, &status] { status = tryRun(*arguments); });
 }

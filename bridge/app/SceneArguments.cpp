@@ -2,13 +2,16 @@
 
 #include <iostream>
 
+#include "OptionChecks.h"
 #include "SceneReader.h"
 #include "Units.h"
 
 namespace restenosis {
 
 void SceneArguments::addTo(CLI::App& command) {
-  command.add_option("SCENE", file, "scene file (TOML)")->required();
+  command.add_option("SCENE", file, "scene file (TOML)")
+      ->required()
+      ->check(notEmpty("the name of a scene file (*.toml)"));
   command
       .add_option(
           "--set", overrides,
@@ -26,7 +29,7 @@ std::optional<Scene> SceneArguments::read() const {
     const Units units;
     std::vector<SceneOverride> all(overrides.begin(), overrides.end());
     all.insert(all.end(), others.begin(), others.end());
-    if (!flow.empty()) all.emplace_back("flow.backend=" + flow, "--flow");
+    if (flow) all.emplace_back("flow.backend=" + *flow, "--flow");
     return SceneReader(units).readFile(file, all);
   } catch (const SceneError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) std::cerr << toString(diagnostic) << '\n';

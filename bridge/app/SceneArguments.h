@@ -15,7 +15,7 @@ struct SceneArguments {
   std::string file;
   std::vector<std::string> overrides;  ///< of `--set`
   std::vector<SceneOverride> others;   ///< applied after these
-  std::string flow;                    ///< backend instead of the scene's; empty: the scene's
+  std::optional<std::string> flow;     ///< backend instead of the scene's
 
   void addTo(CLI::App& command);
   /// `--flow` too, the short way to another backend.

@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-/// More threads than this are a mistake.
-inline constexpr int mostThreads = 1024;
+/// More threads, or MPI processes, than this are a mistake.
+inline constexpr int mostThreads = 1024, mostRanks = 1024;
 
 /// The number of threads to use: that asked for, or where that is 0, what OpenMP offers (all cores, or
 /// OMP_NUM_THREADS).

@@ -14,6 +14,7 @@
 #include "FlowBackendNames.h"
 #include "FlowTradeoff.h"
 #include "FoamPath.h"
+#include "OptionChecks.h"
 #include "ResultsFolder.h"
 #include "Run.h"
 #include "RunTradeoff.h"
@@ -108,8 +109,10 @@ void addTradeoffCommand(CLI::App& app, int& status) {
       "what accuracy costs: the flow at every fidelity, and runs with coarser and finer settings");
   auto arguments = std::make_shared<TradeoffArguments>();
   arguments->scene.addTo(*command);
-  command->add_option("-o,--output", arguments->folder,
-                      "folder for the results (default: results/<scene name>-tradeoff)");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for the results (default: results/<scene name>-tradeoff)")
+      ->check(aFolder());
   command
       ->add_option(
           "--vary", arguments->vary,
@@ -117,9 +120,9 @@ void addTradeoffCommand(CLI::App& app, int& status) {
           "most accurate first, as in --vary \"coupling.lumenTolerance=1 um,5 um,20 um\"")
       ->allow_extra_args(false);
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
-      ->check(CLI::Range(1, mostThreads));
+      ->check(countUpTo(mostThreads));
   command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
-      ->check(CLI::Range(1, 1024));
+      ->check(countUpTo(mostRanks));
   command->callback([arguments, &status] { status = trySweep(*arguments); });
 }
 

@@ -1,19 +1,42 @@
+#include <fmt/format.h>
 #include <vtkObject.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "BenchCommand.h"
 #include "CheckCommand.h"
 #include "CompareCommand.h"
 #include "ExitStatus.h"
 #include "LargeArrays.h"
+#include "NearestName.h"
 #include "RunCommand.h"
 #include "SchemaCommand.h"
+#include "Shown.h"
 #include "ThreadWaiting.h"
 #include "TradeoffCommand.h"
 #include "Version.h"
+
+namespace {
+
+/// What is said of a command that there is not; empty if it is one, or none is given: CLI11 speaks of missing
+/// ones only.
+std::string commandProblem(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || *argv[1] == '-') return {};
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.emplace_back(command->get_name());
+  const std::string_view given = argv[1];
+  if (std::ranges::find(names, given) != names.end()) return {};
+  return fmt::format("unknown command {}{}\n", restenosis::shown(given),
+                     restenosis::suggestion(given, names));
+}
+
+}  // namespace
 
 /// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
 int main(int argc, char** argv) {
@@ -34,6 +57,10 @@ int main(int argc, char** argv) {
   addTradeoffCommand(app, status);
   addSchemaCommand(app, status);
   addBenchCommand(app, status);
+  if (const std::string problem = commandProblem(app, argc, argv); !problem.empty()) {
+    std::cerr << problem;
+    return ExitStatus::wrongInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

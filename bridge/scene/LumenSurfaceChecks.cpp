@@ -34,8 +34,7 @@ void blame(std::string_view section, std::string_view key, const std::string& me
 }
 
 bool gives(const SceneDocument& document, const std::string& key) {
-  const GivenSection* vessel = document.find(VesselParameters::section);
-  return vessel != nullptr && vessel->values.contains(key);
+  return document.find(VesselParameters::section, key) != nullptr;
 }
 
 /// What the schema says of a quantity.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "FlowBackendNames.h"
 #include "FlowResolution.h"
 #include "NitricOxide.h"
 #include "SceneStent.h"
@@ -37,21 +38,23 @@ bool hasPackedWall(const Scene& s) { return s.hasTissue() && s.vessel.agents.emp
 
 Finding durationBelowStep(const Scene& s, const Units& u) {
   if (s.scene.duration >= s.scene.step) return {};
-  return fmt::format("'duration' is {}, shorter than one step of {}", shown(u, s.scene.duration, "h"),
-                     shown(u, s.scene.step, "h"));
+  return fmt::format("'duration' in [scene] is {}, shorter than one step of {}",
+                     shown(u, s.scene.duration, "h"), shown(u, s.scene.step, "h"));
 }
 
 Finding durationBetweenSteps(const Scene& s, const Units& u) {
   const double steps = s.scene.duration / s.scene.step;
   if (steps < 1 || std::abs(steps - std::round(steps)) < 1e-9 * steps) return {};
-  return fmt::format("'duration' is {}, not a whole number of steps of {}", shown(u, s.scene.duration, "h"),
-                     shown(u, s.scene.step, "h"));
+  return fmt::format(
+      "'duration' in [scene] is {}, not a whole number of steps of {}; the nearest allowed are {} and {}",
+      shown(u, s.scene.duration, "h"), shown(u, s.scene.step, "h"),
+      shown(u, std::floor(steps) * s.scene.step, "h"), shown(u, std::ceil(steps) * s.scene.step, "h"));
 }
 
 Finding tooManySteps(const Scene& s, const Units& u) {
   const double steps = s.scene.duration / s.scene.step;
   if (steps <= mostSteps) return {};
-  return fmt::format("'step' of {} makes {:.3g} steps; at most {:.3g} are allowed",
+  return fmt::format("'step' in [scene] of {} makes {:.3g} steps; at most {:.3g} are allowed",
                      shown(u, s.scene.step, "h"), steps, mostSteps);
 }
 
@@ -95,7 +98,7 @@ Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
   if (s.vessel.stenosis == 0 || s.vessel.stenosisLength <= s.vessel.length) return {};
-  return fmt::format("'stenosisLength' is {}, longer than the vessel ({})",
+  return fmt::format("'stenosisLength' in [vessel] is {}, longer than the vessel ({})",
                      shown(u, s.vessel.stenosisLength, "mm"), shown(u, s.vessel.length, "mm"));
 }
 
@@ -113,7 +116,8 @@ Finding cellsTooLarge(const Scene& s, const Units& u) {
   const double largest = std::min(s.vessel.wallThickness / 6, s.vessel.length / 6);
   if (!hasPackedWall(s) || s.vessel.cellRadius <= largest * (1 + 1e-12)) return {};
   return fmt::format(
-      "'cellRadius' is {}; at most {} fits IEL, one layer of cells and EEL into the wall ({}) and as many "
+      "'cellRadius' in [vessel] is {}; at most {} fits IEL, one layer of cells and EEL into the wall ({}) "
+      "and as many "
       "agents along the vessel ({})",
       shown(u, s.vessel.cellRadius, "um"), fmt::format("{:.3g} um", u.fromSi(largest, "um")),
       shown(u, s.vessel.wallThickness, "um"), shown(u, s.vessel.length, "mm"));
@@ -128,8 +132,9 @@ Finding tooManyAgents(const Scene& s, const Units& u) {
 
 Finding phasesBelowZero(const Scene& s, const Units& u) {
   if (!s.cellCycle || s.cellCycle->g1Mean >= 3 * s.cellCycle->g1Spread) return {};
-  return fmt::format("'g1Spread' is {}, more than a third of g1Mean ({}): G1 could last less than no time",
-                     shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
+  return fmt::format(
+      "'g1Spread' in [cellCycle] is {}, more than a third of g1Mean ({}): G1 could last less than no time",
+      shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
 }
 
 Finding nitricOxideFalls(const Scene& s, const Units&) {
@@ -140,7 +145,8 @@ Finding nitricOxideFalls(const Scene& s, const Units&) {
 
 Finding driveWithoutGradient(const Scene& s, const Units&) {
   if (!s.flow || s.flow->drive != "pressureGradient" || s.flow->pressureGradient > 0) return {};
-  return "'pressureGradient' is 0, so nothing flows with drive = \"pressureGradient\"; take [flow] out "
+  return "'pressureGradient' in [flow] is 0, so nothing flows with drive = \"pressureGradient\"; take [flow] "
+         "out "
          "instead";
 }
 
@@ -151,7 +157,7 @@ Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   const double coarsest = s.vessel.lumenDiameter / 10;
   if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
   return fmt::format(
-      "'surfaceResolution' is {}; a lumen of {} needs at least ten spacings across: at most {}",
+      "'surfaceResolution' in [coupling] is {}; a lumen of {} needs at least ten spacings across: at most {}",
       shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
       shown(u, coarsest, "um"));
 }
@@ -188,59 +194,80 @@ const std::vector<Check>& checks() {
 
 std::string_view sectionOf(std::string_view key) { return key.substr(0, key.find('.')); }
 
-/// Adds a finding at the key to blame, "section" or "section.key", which no later check may rely on.
-void blame(std::string_view key, std::string message, const SceneDocument& document,
+/// Where the user has written the first of the keys that is in the scene: a default cannot be pointed at. The
+/// section of the first if there is none.
+ScenePlace placeOf(const std::vector<std::string_view>& keys, const SceneDocument& document) {
+  const auto nameOf = [](std::string_view key) {
+    const std::string_view section = sectionOf(key);
+    return section == key ? std::string_view() : key.substr(section.size() + 1);
+  };
+  for (const std::string_view key : keys)
+    if (const GivenValue* value = document.find(sectionOf(key), nameOf(key))) return value->place;
+  return document.placeOf(sectionOf(keys.front()), "");
+}
+
+/// Adds a finding about the first of these keys, "section" or "section.key", which no later check may rely
+/// on.
+void blame(const std::vector<std::string_view>& keys, std::string message, const SceneDocument& document,
            SceneFindings& findings) {
-  const std::string_view section = sectionOf(key);
-  findings.add(document.placeOf(section, section == key ? "" : key.substr(section.size() + 1)),
-               std::move(message));
-  findings.unreliable.emplace(key);
+  findings.add(placeOf(keys, document), std::move(message));
+  findings.unreliable.emplace(keys.front());
 }
 
-/// Whether any key of the section, or the section itself, is already found wrong.
-bool unreliableSection(const SceneFindings& findings, std::string_view section) {
-  return std::ranges::any_of(findings.unreliable,
-                             [&](const std::string& key) { return sectionOf(key) == section; });
+bool allReliable(const SceneFindings& findings, const std::vector<std::string_view>& keys) {
+  return std::ranges::all_of(keys, [&](std::string_view key) { return findings.reliable(key); });
 }
 
-/// What is wrong with the file of a stent; empty if nothing is, or there is none.
-std::string stentFileProblem(const StentParameters& stent, const VesselParameters& vessel) {
+/// What is wrong with the file of a stent; nothing where there is none, or it cannot be told.
+std::optional<ParameterProblem> stentFileProblem(const StentParameters& stent, const VesselParameters& vessel,
+                                                 const SceneFindings& findings) {
+  if (stent.file.empty() ||
+      !allReliable(findings, {"stent.file", "stent.fileUnit", "vessel.length", "vessel.lumenDiameter",
+                              "vessel.wallThickness", "vessel.cellRadius"}))
+    return {};
   try {
-    if (!stent.file.empty()) makeStent(stent, vessel);
+    makeStent(stent, vessel);
     return {};
   } catch (const std::runtime_error& error) {
-    return error.what();
+    return ParameterProblem{"stent.file", error.what()};
   }
 }
 
-/// How tissue and stent fit each other: nearly every key of their sections counts, so that nothing can be
-/// said while one of them is wrong.
+/// How tissue and stent fit each other, as far as the keys that it depends on are right.
 void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& findings) {
-  if (!scene.hasTissue() || unreliableSection(findings, VesselParameters::section)) return;
-  const bool withStent = scene.stent && !unreliableSection(findings, StentParameters::section);
-  auto problems = validate(scene.vessel, withStent ? &*scene.stent : nullptr);
-  if (withStent)
-    if (std::string problem = stentFileProblem(*scene.stent, scene.vessel); !problem.empty())
-      problems.push_back({"stent.file", std::move(problem)});
+  if (!scene.hasTissue() || !findings.reliable(VesselParameters::section)) return;
+  const StentParameters* stent =
+      scene.stent && findings.reliable(StentParameters::section) ? &*scene.stent : nullptr;
+  auto problems = validate(scene.vessel, stent, [&](std::string_view key) { return findings.reliable(key); });
+  if (stent)
+    if (auto problem = stentFileProblem(*stent, scene.vessel, findings))
+      problems.push_back(std::move(*problem));
   for (const ParameterProblem& problem : problems) {
+    std::vector<std::string_view> keys = {problem.key};
+    keys.insert(keys.end(), problem.others.begin(), problem.others.end());
     const std::string_view section = sectionOf(problem.key);
-    blame(problem.key,
+    blame(keys,
           fmt::format("'{}' in [{}]: {}", problem.key.substr(section.size() + 1), section, problem.message),
           document, findings);
   }
 }
 
 /// Whether the flow can be resolved, where it is solved for certain; elsewhere it may never be due, and the
-/// plan says it. Nothing can be said while one of the sections that count is wrong.
+/// plan says it.
 void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
                      const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
   if (scene.hasTissue() && scene.coupling.schedule != "everyStep") return;
-  for (const std::string_view section :
-       {SceneParameters::section, VesselParameters::section, FlowParameters::section, FoamSettings::section,
-        LbmSettings::section})
-    if (unreliableSection(findings, section)) return;
+  if (!allReliable(findings, {"mechanics", "coupling.schedule", "scene.fidelity", "vessel.length",
+                              "vessel.lumenDiameter", "vessel.lumenSurface", "vessel.lumenSurfaceUnit",
+                              "vessel.stenosis", "flow.backend", "flow.straightEnds"}))
+    return;
+  const std::string backend = scene.flow ? scene.flow->backend : std::string();
+  if (backend == flowBackendNames::foam &&
+      !allReliable(findings, {"foam.cellSize", "foam.minimumCellsAcross", "foam.maximumCells"}))
+    return;
+  if (backend == flowBackendNames::lbm && !allReliable(findings, {"lbm.dx", "lbm.maximumNodes"})) return;
   if (auto problem = resolutionProblem(scene, units, loaded))
-    blame(problem->key, std::move(problem->message), document, findings);
+    blame({problem->key}, std::move(problem->message), document, findings);
 }
 
 }  // namespace
@@ -255,13 +282,10 @@ double estimatedAgents(const Scene& scene) {
 
 void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
                 const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
-  const auto unreliable = [&findings](std::string_view key) {
-    return findings.unreliable.contains(key) || findings.unreliable.contains(sectionOf(key));
-  };
   for (const auto& check : checks()) {
-    if (std::ranges::any_of(check.reads, unreliable)) continue;
+    if (!allReliable(findings, check.reads)) continue;
     if (Finding message = check.find(scene, units))
-      blame(check.reads.front(), std::move(*message), document, findings);
+      blame(check.reads, std::move(*message), document, findings);
   }
   checkFit(scene, document, findings);
   checkResolution(scene, document, units, loaded, findings);

@@ -19,6 +19,7 @@ constexpr void expectedByParser(bool fulfilled) {
 #define TOML_ASSERT(expr) restenosis::expectedByParser(static_cast<bool>(expr))
 #include <toml++/toml.h>
 
+#include "NearestName.h"
 #include "Trimmed.h"
 
 namespace restenosis {
@@ -85,6 +86,25 @@ int lineOfBadHeader(std::string_view toml) {
   }
 }
 
+/// "vessel.length or stent.length": the keys, with their sections, that are called `name` or, if there is no
+/// such key, by the nearest name. Empty if none is near.
+std::string keysCalled(std::string_view name, const KeysOfSections& known) {
+  std::vector<std::string_view> all;
+  for (const auto& [section, keys] : known) all.insert(all.end(), keys.begin(), keys.end());
+  const std::string meant =
+      std::ranges::find(all, name) != all.end() ? std::string(name) : nearestName(name, all);
+  std::string list;
+  for (const auto& [section, keys] : known) {
+    if (std::ranges::find(keys, meant) == keys.end()) continue;
+    list += fmt::format("{}{}.{}", list.empty() ? "" : " or ", section, meant);
+  }
+  return list;
+}
+
+bool hasSection(const KeysOfSections& known, std::string_view name) {
+  return std::ranges::any_of(known, [name](const auto& section) { return section.first == name; });
+}
+
 /// What the parser says, and where it speaks of characters only, what to look for.
 std::string explained(const toml::parse_error& error) {
   const std::string_view what = error.description();
@@ -137,7 +157,8 @@ SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
   }
 }
 
-void SceneDocument::apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics) {
+void SceneDocument::apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics,
+                          const KeysOfSections& known) {
   const std::string_view text = override.text;
   const auto equals = text.find('=');
   const std::string_view name = trimmed(text.substr(0, equals));
@@ -161,6 +182,9 @@ void SceneDocument::apply(const SceneOverride& override, std::vector<Diagnostic>
       removed_.emplace(section, place);
     } else if (value == "present") {
       sections_.try_emplace(section, GivenSection{place, {}});
+    } else if (const std::string meant = keysCalled(section, known);
+               !meant.empty() && !hasSection(known, section)) {
+      complain(fmt::format("no section; write section.key=value; did you mean {}?", meant));
     } else {
       complain(fmt::format("write {}.key=value for a key, or {}=absent or {}=present for the whole section",
                            section, section, section));
@@ -178,11 +202,17 @@ const GivenSection* SceneDocument::find(std::string_view section) const {
   return found == sections_.end() ? nullptr : &found->second;
 }
 
-ScenePlace SceneDocument::placeOf(std::string_view section, std::string_view key) const {
+const GivenValue* SceneDocument::find(std::string_view section, std::string_view key) const {
   const GivenSection* given = find(section);
-  if (given == nullptr) return {file_, 1, 1};
-  const auto value = given->values.find(key);
-  return value == given->values.end() ? given->place : value->second.place;
+  if (given == nullptr) return nullptr;
+  const auto found = given->values.find(key);
+  return found == given->values.end() ? nullptr : &found->second;
+}
+
+ScenePlace SceneDocument::placeOf(std::string_view section, std::string_view key) const {
+  if (const GivenValue* value = find(section, key)) return value->place;
+  const GivenSection* given = find(section);
+  return given == nullptr ? ScenePlace{file_, 1, 1} : given->place;
 }
 
 }  // namespace restenosis

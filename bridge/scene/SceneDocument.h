@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct GivenSection {
   std::map<std::string, GivenValue, std::less<>> values;
 };
 
+/// Names of all sections and their keys, in the order of the contract.
+using KeysOfSections = std::vector<std::pair<std::string_view, std::vector<std::string_view>>>;
+
 /// What a scene file and the overrides say, before anyone asks what it means. Nothing of TOML beyond this.
 class SceneDocument {
  public:
@@ -44,7 +48,10 @@ class SceneDocument {
   ///                       adds the section where the scene has none
   ///   section=present     adds the section with its defaults, if the scene has none
   ///   section=absent      takes the section out of the scene
-  void apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics);
+  ///
+  /// Of a key without its section the message says what may be meant among `known`.
+  void apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics,
+             const KeysOfSections& known = {});
 
   const std::string& file() const { return file_; }
   const std::map<std::string, GivenSection, std::less<>>& sections() const { return sections_; }
@@ -52,6 +59,8 @@ class SceneDocument {
   const std::map<std::string, ScenePlace, std::less<>>& removed() const { return removed_; }
   /// The section, or null when it is not given.
   const GivenSection* find(std::string_view section) const;
+  /// The value given for a key, or null.
+  const GivenValue* find(std::string_view section, std::string_view key) const;
   /// Where the key is given, else its section, else the file's first line. An empty key asks for the section.
   ScenePlace placeOf(std::string_view section, std::string_view key) const;
   bool broken() const { return broken_; }

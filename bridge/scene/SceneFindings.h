@@ -15,6 +15,11 @@ struct SceneFindings {
   std::vector<Diagnostic> diagnostics;
   std::set<std::string, std::less<>> unreliable;  ///< "section" or "section.key"
 
+  /// Whether nothing is known against the key, "section" or "section.key", or its section.
+  bool reliable(std::string_view key) const {
+    return !unreliable.contains(key) && !unreliable.contains(key.substr(0, key.find('.')));
+  }
+
   void add(const ScenePlace& place, std::string message) {
     diagnostics.push_back({place.file, place.line, place.column, std::move(message)});
   }

@@ -133,9 +133,8 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   SceneFindings findings;
   SceneDocument document(toml, file.string(), findings.diagnostics);
   if (document.broken()) throw SceneError(findings.diagnostics);
-  for (const auto& override : overrides) document.apply(override, findings.diagnostics);
-
   const KeysOfSections all = keysOfSections();
+  for (const auto& override : overrides) document.apply(override, findings.diagnostics, all);
   checkSections(document, all, findings);
 
   Scene scene;

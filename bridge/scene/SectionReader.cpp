@@ -6,6 +6,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "NameList.h"
 #include "NearestName.h"
 
 namespace restenosis {
@@ -55,11 +56,17 @@ SectionReader::SectionReader(std::string_view name, const GivenSection& given, s
                              const Units& units, SceneFindings& findings)
     : name_(name), given_(given), folder_(std::move(folder)), units_(units), findings_(findings) {}
 
-const GivenValue* SectionReader::find(const ParameterInfo& info) {
+const GivenValue* SectionReader::find(const ParameterInfo& info, const std::string& expected) {
   known_.push_back(info.key);
   const auto found = given_.values.find(info.key);
-  if (found != given_.values.end()) return &found->second;
-  if (info.required) missing_.push_back(info.key);
+  if (found == given_.values.end()) {
+    if (info.required) missing_.emplace_back(info.key, expected);
+    return nullptr;
+  }
+  if (info.replacedBy.empty()) return &found->second;
+  complain(found->second, info.key,
+           fmt::format("'{}' in [{}] has no meaning beside '{}'; take one of the two out", info.key, name_,
+                       info.replacedBy));
   return nullptr;
 }
 
@@ -88,7 +95,11 @@ bool SectionReader::withinBounds(const GivenValue& given, double si, const Param
 }
 
 void SectionReader::quantity(double& value, const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const std::string bounds = boundsText(info);
+  const GivenValue* given =
+      find(info, fmt::format("{}{}{}, for example {}",
+                             info.unit.empty() ? "a plain number" : units_.dimension(info.unit),
+                             bounds.empty() ? "" : ", ", bounds, exampleOf(value, info)));
   if (given == nullptr) return;
   double si = 0;
   const double* number = asNumber(*given, si);
@@ -121,19 +132,24 @@ void SectionReader::quantity(double& value, const ParameterInfo& info) {
 }
 
 void SectionReader::integer(std::int64_t& value, const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const GivenValue* given = find(info, "a whole number");
   if (given == nullptr) return;
   const auto* whole = std::get_if<std::int64_t>(&given->value);
   if (whole == nullptr) {
-    return complain(*given, info.key,
-                    fmt::format("'{}' in [{}] is {}; a whole number is expected, for example {} = {}",
-                                info.key, name_, describeGiven(*given), info.key, value));
+    const auto* real = std::get_if<double>(&given->value);
+    const bool couldBeWhole = real != nullptr && std::trunc(*real) == *real && std::abs(*real) < 1e15;
+    return complain(
+        *given, info.key,
+        fmt::format("'{}' in [{}] is {}; a whole number is expected, for example {} = {}", info.key, name_,
+                    couldBeWhole ? fmt::format("{:.1f}, a number with a decimal point or an exponent", *real)
+                                 : describeGiven(*given),
+                    info.key, couldBeWhole ? static_cast<std::int64_t>(*real) : value));
   }
   if (withinBounds(*given, static_cast<double>(*whole), info)) value = *whole;
 }
 
 void SectionReader::boolean(bool& value, const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const GivenValue* given = find(info, "true or false");
   if (given == nullptr) return;
   if (const bool* flag = std::get_if<bool>(&given->value)) {
     value = *flag;
@@ -155,7 +171,7 @@ const std::string* SectionReader::textOf(const GivenValue& given, const Paramete
 
 void SectionReader::choice(std::string& value, const std::vector<std::string_view>& allowed,
                            const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const GivenValue* given = find(info, "one of " + commaSeparated(allowed));
   if (given == nullptr) return;
   const std::string* word = textOf(*given, info);
   if (word == nullptr) return;
@@ -169,13 +185,13 @@ void SectionReader::choice(std::string& value, const std::vector<std::string_vie
 }
 
 void SectionReader::text(std::string& value, const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const GivenValue* given = find(info, "text in quotes");
   if (given == nullptr) return;
   if (const std::string* text = textOf(*given, info)) value = *text;
 }
 
 void SectionReader::file(std::string& value, const ParameterInfo& info) {
-  const GivenValue* given = find(info);
+  const GivenValue* given = find(info, "the name of a file in quotes");
   if (given == nullptr) return;
   const std::string* text = textOf(*given, info);
   if (text == nullptr) return;
@@ -209,11 +225,12 @@ void SectionReader::finish(const KeysOfSections& all) {
     complain(given, meant.back().empty() ? key : meant.back(),
              fmt::format("unknown key '{}' in [{}]{}", key, name_, hint));
   }
-  for (const auto key : missing_) {
+  for (const auto& [key, expected] : missing_) {
     findings_.unreliable.insert(fmt::format("{}.{}", name_, key));
     // A misspelt key has been named already.
     if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
-    findings_.add(given_.place, fmt::format("key '{}' is missing in [{}]", key, name_));
+    findings_.add(given_.place,
+                  fmt::format("key '{}' is missing in [{}]; expected: {}", key, name_, expected));
   }
 }
 

@@ -13,9 +13,6 @@
 
 namespace restenosis {
 
-/// Names of all sections and their keys, in the order of the contract.
-using KeysOfSections = std::vector<std::pair<std::string_view, std::vector<std::string_view>>>;
-
 /// Fills the parameters of one section from what a scene gives, and notes everything that is wrong with it.
 /// Call `describe` of the section with it, then `finish`.
 class SectionReader : public ParameterVisitor {
@@ -36,8 +33,9 @@ class SectionReader : public ParameterVisitor {
   void finish(const KeysOfSections& all);
 
  private:
-  /// The value given for a key, or null; remembers that the key exists.
-  const GivenValue* find(const ParameterInfo& info);
+  /// The value given for a key, or null; remembers that the key exists, and if it is missing what should be
+  /// there. Complains of one that another key replaces, as if it were not given.
+  const GivenValue* find(const ParameterInfo& info, const std::string& expected);
   void complain(const GivenValue& given, std::string_view key, std::string message);
   /// Complains and returns false unless `si` lies within the bounds.
   bool withinBounds(const GivenValue& given, double si, const ParameterInfo& info);
@@ -51,7 +49,7 @@ class SectionReader : public ParameterVisitor {
   const Units& units_;
   SceneFindings& findings_;
   std::vector<std::string_view> known_;
-  std::vector<std::string_view> missing_;
+  std::vector<std::pair<std::string_view, std::string>> missing_;  ///< keys, and what is expected of them
 };
 
 /// "larger than 0 mm, at most 50 mm"; empty where every value is allowed.

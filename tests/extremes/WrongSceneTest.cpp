@@ -26,6 +26,14 @@ class WrongScene : public WholeProgram, public ::testing::WithParamInterface<Sli
     EXPECT_FALSE(exists("out"));
     EXPECT_FALSE(exists("results"));
   }
+  /// The same of the command line's own words, after which the help follows.
+  void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& says) {
+    const ProcessEnd end = run(arguments);
+    EXPECT_EXIT_STATUS(end, 2);
+    for (const auto& part : says) EXPECT_NE(end.err.find(part), std::string::npos) << part << '\n' << end.err;
+    EXPECT_FALSE(exists("out"));
+    EXPECT_FALSE(exists("results"));
+  }
 };
 
 TEST_P(WrongScene, IsRefusedWithOneClearMessage) {
@@ -99,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
              "\"18 um\"",
              "\"50 um\"",
              12,
-             {"'cellRadius' is 50 um", "at most 20 um", "(120 um)"}}),
+             {"'cellRadius' in [vessel] is 50 um", "at most 20 um", "(120 um)"}}),
     [](const auto& slip) { return std::string(slip.param.name); });
 
 TEST_F(WrongScene, AFileThatIsNotThereIsNamedWithTheNearestOne) {
@@ -114,6 +122,39 @@ TEST_F(WrongScene, AnOverrideIsNamedAsTyped) {
   expectRefused({"run", tiny, "-o", "out", "--flow", "bogus"}, {"bogus", "Allowed: foam"});
   expectRefused({"run", tiny, "-o", "out", "--set", "vessel.length=-1 mm"},
                 {"--set vessel.length: ", "larger than 0 mm"});
+}
+
+TEST_F(WrongScene, AnEmptyWordIsNotADefault) {
+  const std::string tiny = scene("tiny", tinyScene);
+  expectRefused({"run", tiny, "-o", "out", "--flow", ""}, {"--flow: 'backend' in [flow]", "Allowed: foam"});
+  expectRefused({"check", tiny, "--flow", ""}, {"--flow: 'backend' in [flow]", "Allowed: foam"});
+  for (const char* command : {"run", "compare", "tradeoff"}) {
+    expectHelp({command, tiny, "-o", ""}, {"--output: is empty; expected: a folder"});
+    expectHelp({command, "", "-o", "out"}, {"SCENE: is empty; expected: the name of a scene file"});
+  }
+}
+
+TEST_F(WrongScene, OptionsAndCommandsSayWhatIsAllowed) {
+  const std::string tiny = scene("tiny", tinyScene);
+  expectRefused({"rum", tiny}, {"unknown command 'rum'; did you mean 'run'? Allowed: run, check, compare"});
+  for (const char* count : {"abc", "0", "1025", "1.5", "2 ", "", "-1", "0x2"})
+    for (const char* option : {"--threads", "--ranks"})
+      expectHelp({"run", tiny, "-o", "out", std::string(option) + "=" + count},
+                 {std::string(option) + ": is \"" + count + "\"; a whole number from 1 to 1024 is expected"});
+  expectRefused({"run", tiny, "-o", "out", "--set", "seed=2"}, {"--set seed: ", "did you mean scene.seed?"});
+}
+
+TEST_F(WrongScene, AStentFromAFileIsNotADesignToo) {
+  writeText(folder / "struts.csv", "x,y,z,radius\n0,190,120,10\n");
+  const std::string both = scene("both", with(tinyScene, "\"ring\"", "\"helix\"\nfile = \"struts.csv\""));
+  expectRefused({"run", both, "-o", "out"},
+                {"both.toml:15: 'design' in [stent] has no meaning beside 'file'; take one of the two out"});
+}
+
+TEST_F(WrongScene, ARowOfAStentsTableThatIsThereTwiceIsNamed) {
+  writeText(folder / "struts.csv", "x,y,z,radius\n0,190,120,10\n190,0,120,10\n0,190,120,10\n");
+  const std::string twice = scene("twice", with(tinyScene, "design = \"ring\"", "file = \"struts.csv\""));
+  expectRefused({"check", twice}, {"struts.csv:4: the agent is at the place of the one in line 2"});
 }
 
 TEST_F(WrongScene, TablesThatDoNotFitTheVesselAreNamedWithTheirLine) {

@@ -78,7 +78,9 @@ TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
   const std::string header = "x,y,z,radius,kind\n";
   const std::pair<std::string, std::string> cases[] = {
       {"x,y,z\n1,2,3\n", ":1: column 'radius' is missing"},
-      {"x,y,z,radius,colour\n", ":1: unknown column 'colour'; allowed are"},
+      {"x,y,z,radius,colour\n",
+       ":1: unknown column 'colour'. Allowed: x, y, z, radius, kind (lengths in um)"},
+      {"x,y,z,radus\n", ":1: unknown column 'radus'; did you mean 'radius'? Allowed: x"},
       {"x,y,x,radius\n", ":1: column 'x' appears twice"},
       {header + "1,2,3,15\n", ":2: 4 cells where the header names 5 columns"},
       {header + "1,2,3,15,smc\n1,two,3,15,smc\n", ":3: column 'y': 'two' is not a finite number"},
@@ -89,7 +91,9 @@ TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
       {header + "1,2,3 # ,15,smc\n", ":2: 3 cells where the header names 5 columns"},
       {header + "1,,3,15,smc\n", ":2: column 'y': '' is not a finite number"},
       {header + "1,2,3,0,smc\n", ":2: the radius must be larger than 0 um"},
-      {header + "1,2,3,15,ecm\n", ":2: unknown kind 'ecm'; allowed are smc, iel, eel, strut"},
+      {header + "1,2,3,15,ecm\n",
+       ":2: unknown kind 'ecm'; did you mean 'smc'? Allowed: smc, iel, eel, strut"},
+      {header + "1,2,3,15,collagen\n", ":2: unknown kind 'collagen'. Allowed: smc, iel, eel, strut"},
       {header, ": holds no agents"}};
   for (const auto& [text, message] : cases) {
     const std::string error = errorOf(text);

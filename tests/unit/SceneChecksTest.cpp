@@ -5,6 +5,7 @@
 
 #include "SceneChecks.h"
 #include "SceneReader.h"
+#include "TinyScene.h"
 
 namespace restenosis {
 namespace {
@@ -29,10 +30,13 @@ class SceneChecksTest : public ::testing::Test {
 #define EXPECT_STARTS(text, with) EXPECT_TRUE(starts(text, with)) << (text)
 
 TEST_F(SceneChecksTest, DurationIsAWholeNumberOfSteps) {
-  EXPECT_STARTS(finding(vessel, "30 min"), "x.toml:2: 'duration' is 0.5 h, shorter than one step of 1 h");
-  EXPECT_STARTS(finding(vessel, "90 min"), "x.toml:2: 'duration' is 1.5 h, not a whole number of steps");
+  EXPECT_STARTS(finding(vessel, "30 min"),
+                "x.toml:2: 'duration' in [scene] is 0.5 h, shorter than one step of 1 h");
+  EXPECT_STARTS(finding(vessel, "90 min"),
+                "x.toml:2: 'duration' in [scene] is 1.5 h, not a whole number of steps of 1 h; the "
+                "nearest allowed are 1 h and 2 h");
   EXPECT_STARTS(finding(vessel + "[scene.x]\n"), "x.toml:");
-  EXPECT_STARTS(finding(vessel, "0.1 d"), "x.toml:2: 'duration' is 2.4 h");
+  EXPECT_STARTS(finding(vessel, "0.1 d"), "x.toml:2: 'duration' in [scene] is 2.4 h");
 }
 
 TEST_F(SceneChecksTest, SectionsNeedEachOther) {
@@ -54,7 +58,7 @@ TEST_F(SceneChecksTest, StenosisIsForVesselsWithoutTissue) {
   EXPECT_STARTS(finding(vessel + "stenosis = 0.5\nstenosisLength = \"1 mm\"\n[mechanics]\n"),
                 "x.toml:6: 'stenosis' shapes a vessel without tissue");
   EXPECT_STARTS(finding(vessel + "stenosis = 0.5\nstenosisLength = \"2 mm\"\n"),
-                "x.toml:7: 'stenosisLength' is 2 mm, longer than the vessel (1.2 mm)");
+                "x.toml:7: 'stenosisLength' in [vessel] is 2 mm, longer than the vessel (1.2 mm)");
 }
 
 TEST_F(SceneChecksTest, TheStentFitsTheVessel) {
@@ -63,27 +67,71 @@ TEST_F(SceneChecksTest, TheStentFitsTheVessel) {
   EXPECT_STARTS(finding(stent + "length = \"5 mm\"\n"),
                 "x.toml:8: 'length' in [stent]: a stent of 5 mm is longer than the vessel (1.2 mm)");
   EXPECT_STARTS(finding(stent + "design = \"helix\"\n"),
-                "x.toml:7: 'length' in [stent]: a stent of 3.5 mm is longer than the vessel");
+                "x.toml:8: 'length' in [stent]: a stent of 3.5 mm is longer than the vessel");
   EXPECT_STARTS(finding(stent + "strutThickness = \"0.95 mm\"\n"),
                 "x.toml:8: 'strutThickness' in [stent]: a strut 0.95 mm thick does not fit a lumen");
   EXPECT_STARTS(finding(stent + "deploymentDepth = \"250 um\"\n"),
                 "x.toml:8: 'deploymentDepth' in [stent]: 250 um is beyond the wall: at most 170 um");
 }
 
-TEST_F(SceneChecksTest, SaysNothingOfTheFitWhileAKeyOfItIsWrong) {
-  const std::string stent = vessel + "[mechanics]\n[stent]\nstrutThickness = \"0.95 mm\"\n";  // lines 6 to 8
-  EXPECT_STARTS(finding(stent + "design = \"rings\"\n"), "x.toml:7: 'length' in [stent]: a stent of 3.5 mm");
-  for (const char* wrong : {"strutWidth = \"-1 mm\"\n", "ringCount = 0\n"}) {
-    const std::string only = finding(stent + wrong);
-    EXPECT_STARTS(only, "x.toml:9:");
-    EXPECT_EQ(only.find('\n'), std::string::npos) << only;
-  }
+TEST_F(SceneChecksTest, AWrongKeySilencesOnlyWhatReadsIt) {
+  const std::string narrow =  // lines 3 to 8
+      "[vessel]\nlength = \"0.3 mm\"\nlumenDiameter = \"0.6 mm\"\nwallThickness = \"0.15 mm\"\n"
+      "[mechanics]\n[stent]\n";
+  const std::string slips = "strutThickness = \"0.7 mm\"\ndeploymentDepth = \"900 um\"\n";
+  const std::string both =
+      "x.toml:9: 'strutThickness' in [stent]: a strut 0.7 mm thick does not fit a lumen of radius 0.3 mm "
+      "(half of vessel.lumenDiameter); allowed is less\n"
+      "x.toml:10: 'deploymentDepth' in [stent]: 900 um is beyond the wall: at most 120 um leave the EEL "
+      "(vessel.wallThickness less a cell's diameter)";
+  EXPECT_EQ(finding(narrow + slips), both);
+  EXPECT_STARTS(
+      finding(narrow + slips + "length = \"3 mm\"\n"),
+      both + "\nx.toml:11: 'length' in [stent]: a stent of 3 mm is longer than the vessel (0.3 mm)");
+  for (const char* wrong : {"strutWidth = \"-1 mm\"\n", "ringCount = 0\n", "design = \"rnigs\"\n"})
+    EXPECT_STARTS(finding(narrow + slips + wrong), both + "\nx.toml:11: ");
+  const std::string noTable = with(narrow, "[mechanics]", "agents = \"nowhere.csv\"\n[mechanics]") + slips;
+  for (const char* part :
+       {":7: 'agents' in [vessel]", ":10: 'strutThickness' in", ":11: 'deploymentDepth' in"})
+    EXPECT_NE(finding(noTable).find(part), std::string::npos) << finding(noTable);
+  const std::string noStruts = finding(narrow + "file = \"nowhere.csv\"\ndeploymentDepth = \"900 um\"\n");
+  for (const char* part : {":9: 'file' in [stent]", ":10: 'deploymentDepth' in"})
+    EXPECT_NE(noStruts.find(part), std::string::npos) << noStruts;
+  // The depth is not held against a thickness that is wrong itself
+  const std::string thickness = finding(with(narrow, "0.15 mm", "-1 mm") +
+                                        "deploymentDepth = \"900 um\"\nstrutThickness = \"0.7 mm\"\n");
+  EXPECT_STARTS(thickness, "x.toml:6: ");
+  EXPECT_NE(thickness.find("\nx.toml:10: 'strutThickness'"), std::string::npos) << thickness;
+  EXPECT_EQ(thickness.find("deploymentDepth"), std::string::npos) << thickness;
+  // What has no part in it does not silence the flow
+  EXPECT_STARTS(finding(vessel + "radiusSpread = 7\n[flow]\nbackend = \"lbm\"\n[lbm]\ndx = \"300 um\"\n"),
+                "x.toml:6: 'radiusSpread' in [vessel] is 7, out of bounds; allowed: at least 0, at most 0.3\n"
+                "x.toml:10: 'dx' in [lbm] is 300 um");
+}
+
+TEST_F(SceneChecksTest, AFindingStandsWhereTheUserWroteItsCause) {
+  EXPECT_STARTS(finding(with(vessel, "1.8 mm", "0.02 mm") + "[mechanics]\n"),
+                "x.toml:5: 'surfaceResolution' in [coupling] is 15 um; a lumen of 0.02 mm");
+  EXPECT_STARTS(finding(vessel + "wallThickness = \"0.1 mm\"\n[mechanics]\n[stent]\n"),
+                "x.toml:6: 'deploymentDepth' in [stent]: 110 um is beyond the wall");
+}
+
+TEST_F(SceneChecksTest, AStentFromAFileHasNoDesign) {
+  const std::string stent = vessel + "[mechanics]\n[stent]\ndesign = \"helix\"\n";  // lines 6 to 8
+  EXPECT_NE(finding(stent + "file = \"nowhere.csv\"\n")
+                .find("x.toml:8: 'design' in [stent] has no meaning beside 'file'; take one of the two out"),
+            std::string::npos);
+}
+
+TEST_F(SceneChecksTest, AStentIsNoShorterThanItsRing) {
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n[stent]\nlength = \"0.05 mm\"\n"),
+                "x.toml:8: 'length' in [stent]: a stent of 0.05 mm is shorter than its ring");
 }
 
 TEST_F(SceneChecksTest, TheWallHasRoomForItsLayers) {
   EXPECT_EQ(finding(vessel + "cellRadius = \"33 um\"\n[mechanics]\n"), "accepted");
   EXPECT_STARTS(finding(vessel + "cellRadius = \"34 um\"\n[mechanics]\n"),
-                "x.toml:6: 'cellRadius' is 34 um; at most 33.3 um");
+                "x.toml:6: 'cellRadius' in [vessel] is 34 um; at most 33.3 um");
   EXPECT_EQ(finding(vessel + "cellRadius = \"34 um\"\n"), "accepted");  // no tissue, no cells
   EXPECT_STARTS(finding(vessel + "cellRadius = \"1 um\"\n[mechanics]\n"),
                 "x.toml:6: cells of radius 1 um make about 2.2e+08 agents");
@@ -148,15 +196,16 @@ TEST_F(SceneChecksTest, TheVesselIsLongEnoughForItsFlow) {
 
 TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
   EXPECT_STARTS(finding(vessel + "[mechanics]\n[cellCycle]\ng1Spread = \"6 h\"\n"),
-                "x.toml:8: 'g1Spread' is 6 h");
+                "x.toml:8: 'g1Spread' in [cellCycle] is 6 h");
   EXPECT_STARTS(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"0 Pa/m\"\n"),
-                "x.toml:8: 'pressureGradient' is 0");
+                "x.toml:8: 'pressureGradient' in [flow] is 0");
   const std::string cycle = vessel + "[mechanics]\n[cellCycle]\n[endothelium]\n";  // lines 6 to 8
   EXPECT_EQ(finding(cycle), "accepted");
   EXPECT_STARTS(finding(cycle + "nitricOxideTransition = \"0.1 Pa\"\n"),
                 "x.toml:9: nitric oxide would fall with wall shear stress above 'nitricOxideTransition'");
   const std::string coarse = "[coupling]\nsurfaceResolution = \"200 um\"\n";
-  EXPECT_STARTS(finding(vessel + "[mechanics]\n" + coarse), "x.toml:8: 'surfaceResolution' is 200 um");
+  EXPECT_STARTS(finding(vessel + "[mechanics]\n" + coarse),
+                "x.toml:8: 'surfaceResolution' in [coupling] is 200 um");
   EXPECT_EQ(finding(vessel + coarse), "accepted");  // a tube has its own triangles
 }
 

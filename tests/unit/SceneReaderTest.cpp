@@ -86,7 +86,12 @@ TEST_F(SceneReaderTest, NamesUnknownSections) {
 TEST_F(SceneReaderTest, NamesWhatIsMissing) {
   expectOne("[scene]\nduration = \"1 d\"\n", 1, {"section [vessel] is missing"});
   expectOne("[scene]\nstep = \"1 h\"\n[vessel]\nlength = \"1 mm\"\nlumenDiameter = \"1.8 mm\"\n", 1,
-            {"key 'duration' is missing in [scene]"});
+            {"key 'duration' is missing in [scene]; expected: a time, larger than 0 d, at most 10000 d, for "
+             "example duration = \""});
+  expectOne(
+      "[scene]\nduration = \"1 d\"\n[vessel]\nlength = \"1 mm\"\n", 3,
+      {"key 'lumenDiameter' is missing in [vessel]; expected: a length, larger than 0 mm, at most 50 mm, "
+       "for example lumenDiameter = \"1.8 mm\""});
   const auto both = findings("");
   ASSERT_EQ(both.size(), 2u);
 }
@@ -98,7 +103,10 @@ TEST_F(SceneReaderTest, ExplainsWrongTypes) {
   expectOne(start + "[injury]\nsyntheticReach = \"2\"\n", 11, {"a plain number", "syntheticReach = 1.5"});
   expectOne(start + "[injury]\nielBreaks = \"true\"\n", 11, {"expected true or false, without quotes"});
   expectOne(start + "[stent]\nlength = \"1 mm\"\ndeploymentSteps = 1.5\n", 12,
-            {"a whole number is expected"});
+            {"is the number 1.5; a whole number is expected"});
+  expectOne(start + "[stent]\ndeploymentSteps = 8.0\n", 11,
+            {"is 8.0, a number with a decimal point or an exponent; a whole number is expected, for example "
+             "deploymentSteps = 8"});
   expectOne(start + "[flow]\nbackend = 3\n", 11, {"text in quotes"});
   expectOne(start + "[flow]\nbackend = [\"foam\"]\n", 11, {"is a list"});
   expectOne(start + "[flow]\nmeanVelocity = 2026-01-01\n", 11, {"is a date or time"});
@@ -214,6 +222,11 @@ TEST_F(SceneReaderTest, BlamesOverridesByName) {
   expectOne(start, 0, {"--set scene.title: is not text in UTF-8"}, {"scene.title=a\xff"});
   expectOne(start, 0, {"--set scene.title: is not text in UTF-8 without control characters"},
             {"scene.title=a\x01z"});
+  expectOne(start, 0, {"--set seed: no section; write section.key=value; did you mean scene.seed?"},
+            {"seed=2"});
+  expectOne(start, 0, {"did you mean scene.seed?"}, {"sead=2"});
+  expectOne(start, 0, {"did you mean vessel.length or stent.length?"}, {"length=2 mm"});
+  expectOne(start, 0, {"--set nothingLikeIt: write nothingLikeIt.key=value"}, {"nothingLikeIt=2"});
   expectOne(start, 0, {"no section"}, {"=3"});
   expectOne(start, 0, {"no key"}, {"vessel.=3"});
   expectOne(start, 1, {"section [vessel] is missing"}, {"vessel=absent"});

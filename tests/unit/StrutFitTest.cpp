@@ -86,6 +86,14 @@ TEST_F(StrutFitTest, TheThickestSphereAllowedTouchesItsBound) {
 
 TEST_F(StrutFitTest, StrutsOnly) {
   EXPECT_SAID(finding("0,-230,100,20,smc\n", "x,y,z,radius,kind\n"), ":5: the kind is not strut");
+  EXPECT_SAID(finding("0,-230,100,20,sturt\n", "x,y,z,radius,kind\n"),
+              ":5: unknown kind 'sturt'; did you mean 'strut'? Allowed: strut; the column may be left out");
+}
+
+TEST_F(StrutFitTest, NoTwoSpheresAreAtOnePlace) {
+  EXPECT_SAID(finding("0,230,100,20\n"), ":5: the agent is at the place of the one in line 3; no two may be");
+  EXPECT_SAID(finding("0,-230,100,20\n0,-230.00001,100,15\n"), ":6: the agent is at the place of the one");
+  EXPECT_EQ(finding("0,-230,100,20\n0,-230.1,100,20\n"), "accepted") << "spheres may overlap";
 }
 
 }  // namespace

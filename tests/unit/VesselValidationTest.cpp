@@ -52,6 +52,44 @@ TEST_F(Validate, StrutWiderThanTheVessel) {
   EXPECT_EQ(keys(), "stent.strutWidth ");
 }
 
+TEST_F(Validate, StentShorterThanAStrutIsWide) {
+  for (const char* design : {"ring", "rings", "ringsWithLinks", "helix", "biodivysio"}) {
+    stent.design = design;
+    stent.length = 0.05e-3;
+    stent.ringCount = 1;
+    stent.linkCount = 1;
+    EXPECT_NE(keys(), "") << design;
+  }
+  stent.design = "ring";
+  EXPECT_EQ(validate(vessel, &stent)[0].message,
+            "a stent of 0.05 mm is shorter than its ring, a strut 0.09 mm wide (stent.strutWidth); allowed "
+            "is at least that");
+  stent.length = stent.strutWidth;
+  EXPECT_EQ(keys(), "");
+}
+
+TEST_F(Validate, SaysNothingByWhatIsNotKnown) {
+  stent.design = "helix";
+  stent.length = 5e-3;
+  stent.helixTurns = 99;
+  stent.strutThickness = 1e-3;
+  stent.deploymentDepth = 1e-3;
+  const auto keysWithout = [this](std::string_view unknown) {
+    std::string all;
+    for (const auto& problem : validate(vessel, &stent, [&](std::string_view key) { return key != unknown; }))
+      all += problem.key + " ";
+    return all;
+  };
+  EXPECT_EQ(keysWithout(""), "stent.deploymentDepth stent.strutThickness stent.length stent.helixTurns ");
+  EXPECT_EQ(keysWithout("stent.length"), "stent.deploymentDepth stent.strutThickness ");
+  EXPECT_EQ(keysWithout("stent.design"), "stent.deploymentDepth stent.strutThickness ");
+  EXPECT_EQ(keysWithout("vessel.length"), "stent.deploymentDepth stent.strutThickness stent.helixTurns ");
+  EXPECT_EQ(keysWithout("vessel.lumenDiameter"), "stent.deploymentDepth stent.length stent.helixTurns ");
+  EXPECT_EQ(keysWithout("vessel.cellRadius"), "stent.strutThickness stent.length stent.helixTurns ");
+  vessel.agents = "/nowhere.csv";
+  EXPECT_EQ(keysWithout("vessel.agents"), keysWithout("").substr(std::string("vessel.agents ").size()));
+}
+
 TEST_F(Validate, DepthBeyondTheWall) {
   stent.deploymentDepth = 180e-6;
   EXPECT_EQ(keys(), "stent.deploymentDepth ");

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "NearestName.h"
 #include "Shown.h"
 #include "Trimmed.h"
 
@@ -105,7 +106,8 @@ class TableReader {
         known = true;
       }
       if (!known) {
-        fail(fmt::format("unknown column {}; allowed are x, y, z, radius (um) and kind", shown(names[n])));
+        fail(fmt::format("unknown column {}{} (lengths in um)", shown(names[n]),
+                         suggestion(names[n], {columnNames.begin(), columnNames.end()})));
       }
     }
     for (int column = 0; column < columnKind; ++column) {
@@ -144,7 +146,13 @@ class TableReader {
     for (const auto& [name, kind] : kinds) {
       if (cell == name) return kind;
     }
-    fail(fmt::format("unknown kind {}; allowed are smc, iel, eel, strut", shown(cell)));
+    // Struts stand in tables of their own, which hold nothing else
+    if (defaultKind_ == AgentKind::strut)
+      fail(fmt::format("unknown kind {}{}; the column may be left out", shown(cell),
+                       suggestion(cell, {"strut"})));
+    std::vector<std::string_view> names;
+    for (const auto& [name, kind] : kinds) names.push_back(name);
+    fail(fmt::format("unknown kind {}{}", shown(cell), suggestion(cell, names)));
   }
 
   std::filesystem::path file_;

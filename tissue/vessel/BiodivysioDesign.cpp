@@ -28,10 +28,12 @@ std::vector<StrutSegment> buildBiodivysio(const StentParameters& stent, const St
 
 std::vector<ParameterProblem> checkBiodivysio(const StentParameters& stent, const VesselParameters&) {
   auto problems = checkRingsOf(stent.strutWidth + 2 * stent.ringAmplitude, stent);
+  for (ParameterProblem& problem : problems) problem.others.emplace_back("stent.ringAmplitude");
   if (stent.linkCount > stent.ringWaves) {
-    problems.push_back(
-        {"stent.linkCount", fmt::format("{} links need as many crests, but a ring has {} (stent.ringWaves)",
-                                        stent.linkCount, stent.ringWaves)});
+    problems.push_back({"stent.linkCount",
+                        fmt::format("{} links need as many crests, but a ring has {} (stent.ringWaves)",
+                                    stent.linkCount, stent.ringWaves),
+                        {"stent.ringWaves"}});
   }
   return problems;
 }

@@ -21,8 +21,13 @@ std::vector<StrutSegment> buildHelix(const StentParameters& stent, const StentLa
 
 std::vector<ParameterProblem> checkHelix(const StentParameters& stent, const VesselParameters&) {
   if (stent.strutWidth * stent.helixTurns <= stent.length - stent.strutWidth) return {};
-  return {{"stent.helixTurns", fmt::format("{:.4g} turns of a strut {:.4g} mm wide overlap on {:.4g} mm",
-                                           stent.helixTurns, stent.strutWidth / mm, stent.length / mm)}};
+  return {
+      {"stent.helixTurns",
+       fmt::format("{:.4g} turns of a strut {:.4g} mm wide overlap on {:.4g} mm; so many need a length of "
+                   "at least {:.4g} mm",
+                   stent.helixTurns, stent.strutWidth / mm, stent.length / mm,
+                   stent.strutWidth * (stent.helixTurns + 1) / mm),
+       {"stent.length", "stent.strutWidth"}}};
 }
 
 }  // namespace restenosis

@@ -24,8 +24,11 @@ std::vector<ParameterProblem> checkRings(const StentParameters& stent, const Ves
 std::vector<ParameterProblem> checkRingsOf(double extent, const StentParameters& stent) {
   if (extent * static_cast<double>(stent.ringCount) <= stent.length) return {};
   return {{"stent.ringCount",
-           fmt::format("{} rings, each {:.4g} mm along the vessel, do not fit a stent of {:.4g} mm",
-                       stent.ringCount, extent / mm, stent.length / mm)}};
+           fmt::format("{} rings, each {:.4g} mm along the vessel, do not fit a stent of {:.4g} mm; so many "
+                       "need a length of at least {:.4g} mm",
+                       stent.ringCount, extent / mm, stent.length / mm,
+                       extent / mm * static_cast<double>(stent.ringCount)),
+           {"stent.length", "stent.strutWidth"}}};
 }
 
 }  // namespace restenosis

@@ -4,6 +4,7 @@
 
 #include "Cylindrical.h"
 #include "TableBounds.h"
+#include "TablePlaces.h"
 
 namespace restenosis {
 namespace {
@@ -57,6 +58,7 @@ double outwardsToLumen(const AgentTable& table, const VesselParameters& vessel) 
     checkSphere(table, i, vessel);
     if (reach(i) > reach(outermost)) outermost = i;
   }
+  if (!table.lines.empty()) requireDistinctPlaces(table);  // those of a surface are not the user's
   const double outwards = vessel.lumenDiameter / 2 - reach(outermost);
   for (Index i = 0; i < spheres.size(); ++i) {
     const double moved = radiusOf(spheres.position(i)) + outwards;

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <optional>
 #include <utility>
 
 #include "Cylindrical.h"
 #include "TableBounds.h"
+#include "TablePlaces.h"
 
 namespace restenosis {
 namespace {
@@ -22,7 +21,6 @@ constexpr double radiusRatio = 10;         // either way, to the vessel's cell r
 constexpr double leastShareOfOuter = 0.5;  // reached by the outermost agent
 constexpr double longestGap = 0.25;        // without agents, of the vessel's length
 constexpr int sectors = 8;                 // about the axis, none of them empty
-constexpr double samePlace = 1e-6;         // distance of two agents over the sum of their radii
 
 class WallTableCheck {
  public:
@@ -38,7 +36,7 @@ class WallTableCheck {
       checkSectors();
       checkGaps();
     }
-    checkPlaces();
+    requireDistinctPlaces(table_);
   }
 
  private:
@@ -134,31 +132,6 @@ class WallTableCheck {
           "fill the vessel, of {:.6g} um (vessel.length), with no gap longer than a quarter of it",
           along[n - 1] / um, along[n] / um, vessel_.length / um));
     }
-  }
-
-  /// Bonds of no length have no strain, and forces between agents at one place no direction.
-  void checkPlaces() const {
-    // Along a direction in which no regular arrangement has layers, so that few agents are near each other.
-    const Vec3 along = Vec3(0.5126, 0.6137, 0.6005).normalized();
-    std::vector<double> place(agents_.size());
-    for (Index i = 0; i < agents_.size(); ++i) place[i] = along.dot(agents_.position(i));
-    std::vector<Index> order(agents_.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::sort(order, {}, [&place](Index i) { return std::pair(place[i], i); });
-    const double reachAhead = 2 * samePlace * std::ranges::max(agents_.radius);
-    std::optional<std::pair<Index, Index>> found;  // later and earlier of the first two
-    for (std::size_t n = 0; n < order.size(); ++n) {
-      for (std::size_t m = n + 1; m < order.size() && place[order[m]] - place[order[n]] <= reachAhead; ++m) {
-        const auto [earlier, later] = std::minmax(order[n], order[m]);
-        const double apart = (agents_.position(earlier) - agents_.position(later)).norm();
-        if (apart > samePlace * (agents_.radius[earlier] + agents_.radius[later])) continue;
-        if (!found || std::pair(later, earlier) < *found) found = {later, earlier};
-      }
-    }
-    if (!found) return;
-    table_.fail(found->first, fmt::format("the agent is at the place of the one in line {}; no two may be "
-                                          "nearer than a millionth of their radii",
-                                          table_.lines[found->second]));
   }
 
   const AgentTable& table_;

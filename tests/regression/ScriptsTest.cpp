@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "Process.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scripts that a user starts, in a checkout of their own in which nothing is installed or built: what
+/// they start says how it was started.
+class Scripts : public ::testing::Test {
+ protected:
+  Scripts() {
+    fs::create_directories(checkout / "cmake");
+    for (const char* file : {"Allrun", "Alltest", "Allclean", "cmake/setup.sh", "cmake/packages.txt"})
+      fs::copy(fs::path(RESTENOSIS_SOURCE_DIR) / file, checkout / file);
+    fs::copy(fs::path(RESTENOSIS_SOURCE_DIR) / "foamCase", checkout / "foamCase",
+             fs::copy_options::recursive);
+    program(checkout / "build/release/restenosisFoam", R"(echo "in $PWD"; printf '[%s]' "$@")");
+    program(folder / "bin/ctest", R"(printf '[%s]' "$@")");
+    program(folder / "bin/cmake", ":");
+    program(folder / "bin/dpkg-query", "echo install ok installed");
+    fs::create_directories(elsewhere);
+  }
+  static void program(const fs::path& file, const std::string& commands) {
+    fs::create_directories(file.parent_path());
+    writeText(file, "#!/bin/sh\n" + commands + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+  }
+  /// What is written by the script, started in a folder.
+  std::string start(const std::string& script, std::vector<std::string> arguments, const fs::path& at) const {
+    arguments.insert(arguments.begin(), (checkout / script).string());
+    const std::string path = (folder / "bin").string() + ":" + std::getenv("PATH");
+    const ProcessEnd end = Process(arguments, at, {{"PATH", path}}).wait(std::chrono::minutes(1));
+    EXPECT_EQ(end.status, 0) << toString(end);
+    return end.out;
+  }
+  /// How Allrun starts the program.
+  std::string run(const std::vector<std::string>& arguments, const fs::path& at) const {
+    const std::string out = start("Allrun", arguments, at), in = "in " + checkout.string() + "\n";
+    const auto begin = out.find(in);
+    EXPECT_NE(begin, std::string::npos) << out;
+    return begin == std::string::npos ? out : out.substr(begin + in.size());
+  }
+
+  TemporaryFolder folder;
+  const fs::path checkout = fs::canonical(folder.path()) / "checkout";
+  const fs::path elsewhere = fs::canonical(folder.path()) / "elsewhere";
+};
+
+TEST_F(Scripts, AllrunFindsTheSceneAmongTheOptions) {
+  EXPECT_EQ(run({}, checkout), "[run][scenes/quick.toml]");
+  EXPECT_EQ(run({"--no-install", "--resume"}, checkout), "[run][scenes/quick.toml][--resume]");
+  EXPECT_EQ(run({"my.toml", "--threads", "1"}, checkout), "[run][my.toml][--threads][1]");
+  EXPECT_EQ(run({"--threads", "1", "my.toml"}, checkout), "[run][my.toml][--threads][1]");
+  EXPECT_EQ(run({"--threads=1", "my"}, checkout), "[run][my][--threads=1]");
+  EXPECT_EQ(run({"--set", "stent.file=a.toml", "--flow", "none", "--ranks", "2", "-o", "b.toml", "c.toml"},
+                checkout),
+            "[run][c.toml][--set][stent.file=a.toml][--flow][none][--ranks][2][-o][b.toml]");
+  EXPECT_EQ(run({"-o", "out"}, checkout), "[run][scenes/quick.toml][-o][out]");
+  EXPECT_EQ(run({"a.toml", "b.toml"}, checkout), "[run][a.toml][b.toml]") << "for the program to refuse";
+  EXPECT_EQ(run({"", "-o", ""}, checkout), "[run][][-o][]") << "for the program to refuse";
+  EXPECT_EQ(run({"-o"}, checkout), "[run][scenes/quick.toml][-o]") << "for the program to refuse";
+}
+
+TEST_F(Scripts, AllrunSeeksFilesWhereTheUserStands) {
+  const std::string here = elsewhere.string() + "/";
+  EXPECT_EQ(run({}, elsewhere), "[run][scenes/quick.toml]");
+  EXPECT_EQ(run({"a.toml", "-o", "out"}, elsewhere), "[run][" + here + "a.toml][-o][" + here + "out]");
+  EXPECT_EQ(run({"-oout", "/b.toml"}, elsewhere), "[run][/b.toml][-o" + here + "out]");
+  EXPECT_EQ(run({"--output=out", "--output", "/out"}, elsewhere),
+            "[run][scenes/quick.toml][--output=" + here + "out][--output][/out]");
+}
+
+TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {
+  const std::string some = start("Alltest", {"-L", "unit"}, elsewhere);
+  EXPECT_NE(some.find("[--no-tests=error]"), std::string::npos) << some;
+  EXPECT_NE(some.find("[-L][^unit$]"), std::string::npos) << some;
+}
+
+TEST_F(Scripts, AllcleanGoesBackToTheCheckout) {
+  fs::create_directories(checkout / "results/quick");
+  fs::create_directories(checkout / "foamCase/constant/triSurface");
+  fs::create_directories(checkout / "foamCase/0");
+  writeText(checkout / "foamCase/constant/triSurface/lumen.stl", "solid wall\n");
+  start("Allclean", {}, elsewhere);
+  for (const char* left : {"build", "results", "foamCase/0", "foamCase/constant/triSurface"})
+    EXPECT_FALSE(fs::exists(checkout / left)) << left;
+  EXPECT_TRUE(fs::exists(checkout / "foamCase/0.orig/U"));
+  EXPECT_TRUE(fs::exists(checkout / "foamCase/constant/transportProperties"));
+}
+
+}  // namespace
+}  // namespace restenosis
