@@ -63,7 +63,6 @@ class SectionWriter : public ParameterVisitor {
 
  private:
   void add(const ParameterInfo& info, const std::string& value, const std::string& allowed) {
-    if (!info.replacedBy.empty()) return;
     std::string comment(info.description);
     if (!allowed.empty()) comment += fmt::format("; {}", allowed);
     if (info.source != "none") comment += fmt::format(" ({})", info.source);

@@ -7,9 +7,9 @@
 
 namespace restenosis {
 
-/// The resolved scene as TOML: the sections that are modelled, every key with its default written out (but
-/// for those that another one replaces), each with what it means and where its default comes from. Reading it
-/// back gives the same parameters to the last bit.
+/// The resolved scene as TOML: the sections that are modelled, every key with its default written out, each
+/// with what it means and where its default comes from. Reading it back gives the same parameters to the last
+/// bit.
 std::string writeScene(const Scene& scene, const Units& units);
 
 }  // namespace restenosis

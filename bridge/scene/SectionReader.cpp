@@ -63,11 +63,7 @@ const GivenValue* SectionReader::find(const ParameterInfo& info, const std::stri
     if (info.required) missing_.emplace_back(info.key, expected);
     return nullptr;
   }
-  if (info.replacedBy.empty()) return &found->second;
-  complain(found->second, info.key,
-           fmt::format("'{}' in [{}] has no meaning beside '{}'; take one of the two out", info.key, name_,
-                       info.replacedBy));
-  return nullptr;
+  return &found->second;
 }
 
 void SectionReader::complain(const GivenValue& given, std::string_view key, std::string message) {

@@ -34,7 +34,7 @@ class SectionReader : public ParameterVisitor {
 
  private:
   /// The value given for a key, or null; remembers that the key exists, and if it is missing what should be
-  /// there. Complains of one that another key replaces, as if it were not given.
+  /// there.
   const GivenValue* find(const ParameterInfo& info, const std::string& expected);
   void complain(const GivenValue& given, std::string_view key, std::string message);
   /// Complains and returns false unless `si` lies within the bounds.

@@ -144,13 +144,6 @@ TEST_F(WrongScene, OptionsAndCommandsSayWhatIsAllowed) {
   expectRefused({"run", tiny, "-o", "out", "--set", "seed=2"}, {"--set seed: ", "did you mean scene.seed?"});
 }
 
-TEST_F(WrongScene, AStentFromAFileIsNotADesignToo) {
-  writeText(folder / "struts.csv", "x,y,z,radius\n0,190,120,10\n");
-  const std::string both = scene("both", with(tinyScene, "\"ring\"", "\"helix\"\nfile = \"struts.csv\""));
-  expectRefused({"run", both, "-o", "out"},
-                {"both.toml:15: 'design' in [stent] has no meaning beside 'file'; take one of the two out"});
-}
-
 TEST_F(WrongScene, ARowOfAStentsTableThatIsThereTwiceIsNamed) {
   writeText(folder / "struts.csv", "x,y,z,radius\n0,190,120,10\n190,0,120,10\n0,190,120,10\n");
   const std::string twice = scene("twice", with(tinyScene, "design = \"ring\"", "file = \"struts.csv\""));

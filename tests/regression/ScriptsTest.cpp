@@ -73,6 +73,12 @@ TEST_F(Scripts, AllrunSeeksFilesWhereTheUserStands) {
   EXPECT_EQ(run({"-oout", "/b.toml"}, elsewhere), "[run][/b.toml][-o" + here + "out]");
   EXPECT_EQ(run({"--output=out", "--output", "/out"}, elsewhere),
             "[run][scenes/quick.toml][--output=" + here + "out][--output][/out]");
+  fs::create_directories(checkout / "scenes");
+  writeText(checkout / "scenes/quick.toml", "[scene]\n");
+  EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][scenes/quick.toml]") << "beside the script";
+  fs::create_directories(elsewhere / "scenes");
+  writeText(elsewhere / "scenes/quick.toml", "[scene]\n");
+  EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][" + here + "scenes/quick.toml]") << "the user's own";
 }
 
 TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {

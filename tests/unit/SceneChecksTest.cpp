@@ -116,13 +116,6 @@ TEST_F(SceneChecksTest, AFindingStandsWhereTheUserWroteItsCause) {
                 "x.toml:6: 'deploymentDepth' in [stent]: 110 um is beyond the wall");
 }
 
-TEST_F(SceneChecksTest, AStentFromAFileHasNoDesign) {
-  const std::string stent = vessel + "[mechanics]\n[stent]\ndesign = \"helix\"\n";  // lines 6 to 8
-  EXPECT_NE(finding(stent + "file = \"nowhere.csv\"\n")
-                .find("x.toml:8: 'design' in [stent] has no meaning beside 'file'; take one of the two out"),
-            std::string::npos);
-}
-
 TEST_F(SceneChecksTest, AStentIsNoShorterThanItsRing) {
   EXPECT_STARTS(finding(vessel + "[mechanics]\n[stent]\nlength = \"0.05 mm\"\n"),
                 "x.toml:8: 'length' in [stent]: a stent of 0.05 mm is shorter than its ring");

@@ -5,7 +5,6 @@
 #include "SceneFingerprint.h"
 #include "SceneReader.h"
 #include "SceneWriter.h"
-#include "TemporaryFolder.h"
 
 namespace restenosis {
 namespace {
@@ -45,24 +44,6 @@ TEST(SceneWriter, WritesDefaultsOfModelledSectionsOnly) {
   const Scene again = SceneReader(units).readText(text, "x.toml");
   EXPECT_EQ(again.scene.title, scene.scene.title);
   EXPECT_EQ(again.vessel.length, scene.vessel.length);
-}
-
-TEST(SceneWriter, AStentFromAFileReadsBackWithoutADesign) {
-  const TemporaryFolder folder;
-  const std::string file = (folder / "struts.csv").string();
-  writeText(file, "x,y,z,radius\n0,855,600,15\n");
-  const Units units;
-  const SceneReader reader(units);
-  const Scene scene = reader.readText(
-      "[scene]\nduration = \"1 d\"\n[vessel]\nlength = \"1.2 mm\"\nlumenDiameter = \"1.8 mm\"\n"
-      "[mechanics]\n[stent]\nfile = \"" +
-          file + "\"\n",
-      "x.toml");
-  const std::string text = writeScene(scene, units);
-  EXPECT_EQ(text.find("\ndesign ="), std::string::npos) << text;
-  const Scene again = reader.readText(text, "x.toml");
-  EXPECT_EQ(sceneValues(again), sceneValues(scene));
-  EXPECT_EQ(writeScene(again, units), text);
 }
 
 }  // namespace

@@ -17,8 +17,6 @@ struct ParameterInfo {
   double maximum = std::numeric_limits<double>::infinity();
   bool minimumAllowed = true;  ///< false: the value must be larger than `minimum`
   bool required = false;       ///< true: no default; the scene must say it
-  /// The key given instead, which makes this one have no meaning beside it; empty: there is none.
-  std::string_view replacedBy = "";
   std::string_view source =
       "assumed";  ///< source key of the default (T6, ISR3D, ISR2D, Zun 2019, ...) or "assumed"
   std::string_view description = "";

@@ -5,17 +5,15 @@
 namespace restenosis {
 
 void StentParameters::describe(ParameterVisitor& p) {
-  // First: struts from a file have no design
+  p.choice(design, stentDesignNames(),
+           {.key = "design",
+            .source = "T6",
+            .description = "one ring half way along; rings; rings joined by straight "
+                           "links; a helix; sinusoidal rings joined by links"});
   p.file(file, {.key = "file",
                 .source = "none",
                 .description = "STL of the struts (name ends in .stl), or CSV table of obstacle agents "
                                "(x, y, z, radius in um), instead of a design"});
-  p.choice(design, stentDesignNames(),
-           {.key = "design",
-            .replacedBy = file.empty() ? "" : "file",
-            .source = "T6",
-            .description = "one ring half way along; rings; rings joined by straight "
-                           "links; a helix; sinusoidal rings joined by links"});
   p.choice(fileUnit, {"m", "mm", "um"},
            {.key = "fileUnit", .source = "none", .description = "length unit of file where it is an STL"});
   p.quantity(length, {.key = "length",
