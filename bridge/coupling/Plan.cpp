@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "AgentTable.h"
@@ -33,8 +34,14 @@ struct CostEstimate {
 /// Only of a packed wall: a loaded one may have gaps in its IEL, or none at all.
 bool nothingCanBeExposed(const Scene& scene) {
   if (!scene.vessel.agents.empty()) return false;
-  const bool breached = scene.injury && (scene.injury->removeIel || scene.stent);
-  return !breached;
+  if (!scene.injury) return true;
+  const InjuryParameters& injury = *scene.injury;
+  // Limits that the IEL is past as it is packed
+  const bool anyStrain =
+      injury.stretchedStrain == 0 ||
+      (injury.ielBreaks && std::min(injury.strainLimitAround, injury.strainLimitAlong) == 0);
+  const bool anyStress = injury.ielBreaks && injury.stressLimit > 0;
+  return !(injury.removeIel || scene.stent || anyStrain || anyStress);
 }
 
 std::string flowSchedule(const Scene& scene) {

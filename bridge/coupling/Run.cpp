@@ -14,6 +14,7 @@
 #include "FlowForecast.h"
 #include "FlowPart.h"
 #include "ForceField.h"
+#include "InjuryRemark.h"
 #include "LoadedWall.h"
 #include "LumenFrame.h"
 #include "LumenPart.h"
@@ -191,11 +192,7 @@ void Run::deploy() {
     }
     world_.stent = deployment.stent();
     world_.deployment = deployment.statistics();
-    if (const std::string escaped = remarkOnEscaped(*world_.deployment, deployment.steps());
-        !escaped.empty()) {
-      world_.remarks.push_back(escaped);
-      world_.progress.message(escaped);
-    }
+    remark(remarkOnEscaped(*world_.deployment, deployment.steps()));
     requireWallOutsideStruts(*world_.deployment, deployment.steps());
     if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
       world_.remarks.push_back(
@@ -207,6 +204,17 @@ void Run::deploy() {
   startGrowth();
 }
 
+void Run::remark(const std::string& text) {
+  if (text.empty()) return;
+  world_.remarks.push_back(text);
+  world_.progress.message(text);
+}
+
+void Run::injureWall() {
+  world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
+  remark(remarkOnInjury(*world_.injury, *scene_.injury));
+}
+
 void Run::startGrowth() {
   if (scene_.hasTissue()) {
     AgentStore& agents = world_.wall.agents;
@@ -214,8 +222,7 @@ void Run::startGrowth() {
       // The tissue outside is stiff: the EEL holds its place while cells grow (ISR3D).
       if (agents.kind[i] == AgentKind::eel) agents.set(i, fixed, true);
     }
-    if (scene_.injury)
-      world_.injury = injure(world_.wall, *scene_.injury, static_cast<std::uint64_t>(scene_.scene.seed));
+    if (scene_.injury) injureWall();
     world_.confinement = OuterConfinement(agents, scene_.vessel.cellRadius);
     world_.changes.touch(Quantity::cellStates);
     world_.wall.lastMove = std::vector<double>();

@@ -57,6 +57,9 @@ class Run {
   Wall initialWall() const;
   void prepareWall();
   void deploy();
+  /// Adds a remark, if there is one, and says it.
+  void remark(const std::string& text);
+  void injureWall();
   void startGrowth();
   void buildSchedule();
   void grow();

@@ -35,6 +35,7 @@ Json deployment(const Summary& summary) {
   return {{"freeAgentsInTheWayOfStruts", wall.freeInTheWay},
           {"agentsLumenwardOfStruts", wall.escaped},
           {"freeAgentsLumenwardOfStruts", wall.escapedFree},
+          {"freeAgentsPassedByStruts", wall.passedFree},
           {"cellsOutsideEel", wall.outside},
           {"ielRadiusUnderStruts_um", orNull(wall.ielUnderStrut, 1e6)},
           {"ielToEelUnderStruts_um", orNull(wall.laminaDistance, 1e6)},

@@ -78,7 +78,8 @@ TEST_F(Scripts, AllrunSeeksFilesWhereTheUserStands) {
   EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][scenes/quick.toml]") << "beside the script";
   fs::create_directories(elsewhere / "scenes");
   writeText(elsewhere / "scenes/quick.toml", "[scene]\n");
-  EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][" + here + "scenes/quick.toml]") << "the user's own";
+  EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][" + here + "scenes/quick.toml]")
+      << "the user's own";
 }
 
 TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {

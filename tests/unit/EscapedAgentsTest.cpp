@@ -7,11 +7,12 @@
 namespace restenosis {
 namespace {
 
-DeploymentStatistics escaped(Index inTheWay, Index free, Index held) {
+DeploymentStatistics escaped(Index inTheWay, Index free, Index held, bool passed = true) {
   DeploymentStatistics wall;
   wall.freeInTheWay = inTheWay;
   wall.escaped = free + held;
   wall.escapedFree = free;
+  wall.passedFree = passed ? free : 0;
   return wall;
 }
 
@@ -21,12 +22,20 @@ TEST(EscapedAgents, AreRemarkedWithWhatKeepsThemBehindTheStruts) {
   EXPECT_EQ(remarkOnEscaped(escaped(100, 0, 0), 1), "");
   const std::string free = remarkOnEscaped(escaped(100, 3, 0), 7);
   EXPECT_TRUE(contains(free, "after deployment 3 of the agents in the way of struts are"));
-  EXPECT_TRUE(contains(free, "3 free, raise stent.deploymentSteps (now 7)"));
+  EXPECT_TRUE(contains(free, "3 free, of which struts have passed 3, raise stent.deploymentSteps (now 7)"));
   EXPECT_FALSE(contains(free, "vessel.fixedEnds"));
   const std::string held = remarkOnEscaped(escaped(100, 0, 1), 7);
   EXPECT_TRUE(contains(held, "1 of the agents in the way of struts is")) << held;
   EXPECT_TRUE(contains(held, "lower vessel.fixedEnds"));
   EXPECT_FALSE(contains(held, "deploymentSteps"));
+}
+
+TEST(EscapedAgents, OnlyPressedAgainstStrutsAreNoMatterOfSteps) {
+  const DeploymentStatistics soft = escaped(100, 30, 0, false);
+  EXPECT_NO_THROW(requireWallOutsideStruts(soft, 1));
+  const std::string text = remarkOnEscaped(soft, 7);
+  EXPECT_TRUE(contains(text, "30 free, none past the middle of a strut")) << text;
+  EXPECT_FALSE(contains(text, "deploymentSteps")) << text;
 }
 
 TEST(EscapedAgents, OfMoreThanATenthStopTheRun) {
@@ -55,15 +64,17 @@ TEST(EscapedAgents, AreCountedFreeOrFixed) {
     wall.agents.append(AgentKind::smc, atRadius(strut, radius), vessel.cellRadius);
     wall.agents.set(i, fixed, held);
   };
-  for (const double over : {10e-6, 40e-6, -20e-6}) append(outerFace + over, false);
+  const double middle = radiusOf(strut) - outerFace;
+  for (const double over : {10e-6, 40e-6, -20e-6, middle - 1e-6}) append(outerFace + over, false);
   append(outerFace - 20e-6, true);
   append(outerFace + 20e-6, true);
   wall.agents.append(AgentKind::smc, Vec3(outerFace, 0, 0), vessel.cellRadius);  // beside the strut
   wall.bonds.resize(wall.agents.size());
   const DeploymentStatistics result = measureDeployment(wall, stent);
-  EXPECT_EQ(result.freeInTheWay, 3u);
-  EXPECT_EQ(result.escaped, 2u);
-  EXPECT_EQ(result.escapedFree, 1u);
+  EXPECT_EQ(result.freeInTheWay, 4u);
+  EXPECT_EQ(result.escaped, 3u);
+  EXPECT_EQ(result.escapedFree, 2u);
+  EXPECT_EQ(result.passedFree, 1u);
 }
 
 }  // namespace

@@ -31,16 +31,19 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
     if (agents.kind[i] == AgentKind::strut) continue;
     const Vec3 position = agents.position(i);
     const double radius = radiusOf(position);
-    bool inTheWay = false, lumenward = false, under = false;
+    bool inTheWay = false, lumenward = false, passed = false, under = false;
     footprint.visit(position, wall.cellRadius / 2, [&](const StrutFootprint::Hit& hit) {
       inTheWay = true;
       lumenward = lumenward || radius < hit.outerFace;
-      under = under || hit.across < stent.segments[hit.segment].width / 4;
+      const StrutSegment& strut = stent.segments[hit.segment];
+      passed = passed || radius < hit.outerFace - strut.thickness / 2;
+      under = under || hit.across < strut.width / 4;
     });
     const bool free = !agents.has(i, fixed);
     result.freeInTheWay += inTheWay && free;
     result.escaped += lumenward;
     result.escapedFree += lumenward && free;
+    result.passedFree += passed && free;
     if (under && agents.kind[i] == AgentKind::iel) iel.add(radius);
     if (under && agents.kind[i] == AgentKind::eel) eel.add(radius);
   }

@@ -16,7 +16,7 @@ std::string finerSteps(int deploymentSteps) {
 }  // namespace
 
 bool strutsWentThrough(const DeploymentStatistics& wall) {
-  return wall.escapedFree > toleratedShare * wall.freeInTheWay;
+  return wall.passedFree > toleratedShare * wall.freeInTheWay;
 }
 
 std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentSteps) {
@@ -24,8 +24,13 @@ std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentStep
   std::string text = fmt::format(
       "after deployment {} of the agents in the way of struts {} on their lumenward side:", wall.escaped,
       wall.escaped == 1 ? "is" : "are");
-  if (wall.escapedFree > 0)
-    text += fmt::format(" {} free, {};", wall.escapedFree, finerSteps(deploymentSteps));
+  if (wall.passedFree > 0)
+    text += fmt::format(" {} free, of which struts have passed {}, {};", wall.escapedFree, wall.passedFree,
+                        finerSteps(deploymentSteps));
+  else if (wall.escapedFree > 0)
+    text += fmt::format(
+        " {} free, none past the middle of a strut: contacts as soft as these let struts sink in so far;",
+        wall.escapedFree);
   if (const Index held = wall.escaped - wall.escapedFree; held > 0)
     text += fmt::format(
         " {} fixed, so that they cannot yield, lower vessel.fixedEnds or keep struts away from the ends;",
@@ -38,8 +43,8 @@ void requireWallOutsideStruts(const DeploymentStatistics& wall, int deploymentSt
   if (!strutsWentThrough(wall)) return;
   throw DeploymentFailed(fmt::format(
       "the struts went through the wall instead of pressing it outwards: {} of the {} agents in their "
-      "way that are free to move are on their lumenward side; {}",
-      wall.escapedFree, wall.freeInTheWay, finerSteps(deploymentSteps)));
+      "way that are free to move are lumenward of their middle; {}",
+      wall.passedFree, wall.freeInTheWay, finerSteps(deploymentSteps)));
 }
 
 }  // namespace restenosis

@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include "InjuryRemark.h"
+
+namespace restenosis {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(InjuryRemark, SaysWhatAnInjuryWithoutEffectLacked) {
+  const InjuryParameters parameters;
+  InjuryReport injury;
+  EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "made no cell synthetic"));
+  EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "injury.endMargin"));
+  injury.iel = 100;
+  EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "vessel.bondRange"));
+  injury.ielBonds = 300;
+  injury.largestStrain = 0.01;
+  EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "nowhere stretched by more than 0.045"));
+  EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "by 0.01)"));
+  injury.stretched = 3;
+  EXPECT_TRUE(
+      contains(remarkOnInjury(injury, parameters), "of 3 stretched agents of the IEL chance took none"));
+  injury.synthetic = 1;
+  EXPECT_EQ(remarkOnInjury(injury, parameters), "");
+}
+
+}  // namespace
+}  // namespace restenosis
