@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -63,8 +64,9 @@ class WholeProgram : public ::testing::Test {
   }
   /// The command line of the program.
   static std::vector<std::string> command(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), RESTENOSIS_PROGRAM);
-    return arguments;
+    std::vector<std::string> all = {RESTENOSIS_PROGRAM};
+    std::ranges::move(arguments, std::back_inserter(all));
+    return all;
   }
   /// Runs the program to its end.
   ProcessEnd run(std::vector<std::string> arguments, Environment environment = {}) const {

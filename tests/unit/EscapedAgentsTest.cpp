@@ -34,7 +34,7 @@ TEST(EscapedAgents, OnlyPressedAgainstStrutsAreNoMatterOfSteps) {
   const DeploymentStatistics soft = escaped(100, 30, 0, false);
   EXPECT_NO_THROW(requireWallOutsideStruts(soft, 1));
   const std::string text = remarkOnEscaped(soft, 7);
-  EXPECT_TRUE(contains(text, "30 free, none past the middle of a strut")) << text;
+  EXPECT_TRUE(contains(text, "30 free, none by more than half a cell radius")) << text;
   EXPECT_FALSE(contains(text, "deploymentSteps")) << text;
 }
 
@@ -64,8 +64,8 @@ TEST(EscapedAgents, AreCountedFreeOrFixed) {
     wall.agents.append(AgentKind::smc, atRadius(strut, radius), vessel.cellRadius);
     wall.agents.set(i, fixed, held);
   };
-  const double middle = radiusOf(strut) - outerFace;
-  for (const double over : {10e-6, 40e-6, -20e-6, middle - 1e-6}) append(outerFace + over, false);
+  const double margin = vessel.cellRadius / 2;
+  for (const double over : {10e-6, 40e-6, -margin + 1e-6, -margin - 1e-6}) append(outerFace + over, false);
   append(outerFace - 20e-6, true);
   append(outerFace + 20e-6, true);
   wall.agents.append(AgentKind::smc, Vec3(outerFace, 0, 0), vessel.cellRadius);  // beside the strut

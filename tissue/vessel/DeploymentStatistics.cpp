@@ -32,12 +32,12 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
     const Vec3 position = agents.position(i);
     const double radius = radiusOf(position);
     bool inTheWay = false, lumenward = false, passed = false, under = false;
-    footprint.visit(position, wall.cellRadius / 2, [&](const StrutFootprint::Hit& hit) {
+    const double margin = wall.cellRadius / 2;
+    footprint.visit(position, margin, [&](const StrutFootprint::Hit& hit) {
       inTheWay = true;
       lumenward = lumenward || radius < hit.outerFace;
-      const StrutSegment& strut = stent.segments[hit.segment];
-      passed = passed || radius < hit.outerFace - strut.thickness / 2;
-      under = under || hit.across < strut.width / 4;
+      passed = passed || radius < hit.outerFace - margin;
+      under = under || hit.across < stent.segments[hit.segment].width / 4;
     });
     const bool free = !agents.has(i, fixed);
     result.freeInTheWay += inTheWay && free;

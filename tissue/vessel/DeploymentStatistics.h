@@ -12,7 +12,7 @@ struct DeploymentStatistics {
   Index freeInTheWay = 0;  ///< wall agents in the way of a strut that are free to move
   Index escaped = 0;       ///< wall agents in the way of a strut that lie lumenward of its outer face
   Index escapedFree = 0;   ///< of these, the ones free to move
-  Index passedFree = 0;    ///< of these, the ones that lie lumenward of the middle of the strut, too
+  Index passedFree = 0;    ///< of these, the ones lumenward of it by more than half a cell radius
   Index outside = 0;       ///< cells outside the EEL
   std::optional<double> ielUnderStrut;   ///< mean distance of the IEL from the axis under struts [m]
   std::optional<double> laminaDistance;  ///< mean IEL-to-EEL distance under struts [m]

@@ -29,7 +29,8 @@ std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentStep
                         finerSteps(deploymentSteps));
   else if (wall.escapedFree > 0)
     text += fmt::format(
-        " {} free, none past the middle of a strut: contacts as soft as these let struts sink in so far;",
+        " {} free, none by more than half a cell radius: contacts as soft as these let struts sink in so "
+        "far;",
         wall.escapedFree);
   if (const Index held = wall.escaped - wall.escapedFree; held > 0)
     text += fmt::format(
@@ -43,7 +44,7 @@ void requireWallOutsideStruts(const DeploymentStatistics& wall, int deploymentSt
   if (!strutsWentThrough(wall)) return;
   throw DeploymentFailed(fmt::format(
       "the struts went through the wall instead of pressing it outwards: {} of the {} agents in their "
-      "way that are free to move are lumenward of their middle; {}",
+      "way that are free to move are lumenward of their outer faces by more than half a cell radius; {}",
       wall.passedFree, wall.freeInTheWay, finerSteps(deploymentSteps)));
 }
 

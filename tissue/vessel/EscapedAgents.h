@@ -13,14 +13,14 @@ struct DeploymentFailed : std::runtime_error {
 };
 
 /// Whether struts have clearly gone through the wall: of the free agents in their way more than a tenth,
-/// about one layer of cells, are left behind lumenward of their middle (assumed), from where a strut pushes
-/// into the lumen.
+/// about one layer of cells, are left behind lumenward of their outer faces, by more than half a cell radius
+/// (assumed), so far as no soft contact lets a strut sink in.
 bool strutsWentThrough(const DeploymentStatistics& wall);
 
 /// What is to be said of agents lumenward of struts' outer faces after a deployment in so many steps, and
 /// which settings keep them where they belong: `stent.deploymentSteps` free ones that struts have passed,
-/// `vessel.fixedEnds` those that are fixed. Free ones that no strut's middle has passed are pressed against
-/// it, as deep as soft contacts allow. Empty where there are none.
+/// `vessel.fixedEnds` those that are fixed. Where none is passed the struts have sunk in as deep as soft
+/// contacts allow. Empty where there are none.
 std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentSteps);
 
 /// Throws DeploymentFailed where strutsWentThrough.
