@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace restenosis {
@@ -120,6 +122,19 @@ EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
   return result;
 }
 
+std::vector<std::array<std::uint32_t, 2>> endRim(const TriSurface& lumen, SurfaceRegion end) {
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
+    if (lumen.region[i] != end) continue;
+    const auto& t = lumen.triangles[i];
+    for (std::size_t k = 0; k < 3; ++k) edges.insert({t[k], t[(k + 1) % 3]});
+  }
+  std::vector<std::array<std::uint32_t, 2>> rim;
+  for (const auto& [from, to] : edges)
+    if (!edges.contains({to, from})) rim.push_back({from, to});
+  return rim;
+}
+
 void requireLumenWithPlanarEnds(const TriSurface& lumen) {
   requireSound(lumen);
   endPlane(lumen, SurfaceRegion::inlet);
@@ -142,7 +157,7 @@ bool liesAlongZ(const TriSurface& lumen) {
 }
 
 std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const double> stations) {
-  std::vector<CrossSection> sections(stations.size(), {0.0, Vec3::Zero()});
+  std::vector<CrossSection> sections(stations.size(), {0.0, 0.0, Vec3::Zero()});
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     const auto& t = lumen.triangles[i];
     const Vec3 outward = lumen.areaVector(i);
@@ -150,9 +165,10 @@ std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const
         std::min({lumen.vertices[t[0]].z(), lumen.vertices[t[1]].z(), lumen.vertices[t[2]].z()});
     const double high =
         std::max({lumen.vertices[t[0]].z(), lumen.vertices[t[1]].z(), lumen.vertices[t[2]].z()});
-    for (std::size_t s = 0; s < stations.size(); ++s) {
+    const auto first = std::ranges::lower_bound(stations, low);
+    for (auto s = static_cast<std::size_t>(first - stations.begin()); s < stations.size(); ++s) {
       const double z = stations[s];
-      if (z < low || z > high) continue;
+      if (z > high) break;
       Vec3 cut[2];
       int count = 0;
       for (int k = 0; k < 3 && count < 2; ++k) {
@@ -166,6 +182,7 @@ std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const
       const bool counterclockwise = (cut[1] - cut[0]).dot(Vec3::UnitZ().cross(outward)) >= 0.0;
       const double area = counterclockwise ? 0.5 * turn : -0.5 * turn;
       sections[s].area += area;
+      sections[s].perimeter += (cut[1] - cut[0]).norm();
       sections[s].centre += area / 3.0 * (cut[0] + cut[1]);
     }
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,6 +36,10 @@ struct EndPlane {
 /// is not planar.
 EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end);
 
+/// The edges around the end that carries this region, as its triangles go around them, in ascending order.
+/// None where there is no such end.
+std::vector<std::array<std::uint32_t, 2>> endRim(const TriSurface& lumen, SurfaceRegion end);
+
 /// requireLumen for a lumen of any shape, whose planar ends may face in any directions.
 void requireLumenWithPlanarEnds(const TriSurface& lumen);
 
@@ -43,12 +49,13 @@ bool liesAlongZ(const TriSurface& lumen);
 
 /// A lumen in a plane of constant z.
 struct CrossSection {
-  double area;  ///< [m^2]
-  Vec3 centre;  ///< centroid [m]; not a number where there is no area
+  double area;       ///< [m^2]
+  double perimeter;  ///< [m]
+  Vec3 centre;       ///< centroid [m]; not a number where there is no area
 };
 
-/// The lumen in each plane z = stations[i] [m]: the signed area of the contour in which the plane cuts the
-/// surface, so islands count negative, and its centroid.
+/// The lumen in each plane z = stations[i] [m], in ascending order: the signed area of the contour in which
+/// the plane cuts the surface, so islands count negative, its length, and its centroid.
 std::vector<CrossSection> crossSections(const TriSurface& lumen, std::span<const double> stations);
 
 /// The areas of crossSections alone [m^2].

@@ -26,7 +26,7 @@ WssStatistics wssStatistics(std::span<const WallFace> faces, SurfaceRegion regio
     // The slack keeps the rounding of the sums from passing over a rank.
     while (next < 3 && below >= wanted[next].first * s.area * (1 - 1e-12)) *wanted[next++].second = stress;
   }
-  s.lowAreaFraction = low / s.area;
+  s.lowAreaFraction = low / below;  // both in this order, so that all of it is 1
   return s;
 }
 

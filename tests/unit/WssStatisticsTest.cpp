@@ -21,6 +21,13 @@ TEST(WssStatistics, WeighsByArea) {
   EXPECT_DOUBLE_EQ(wssStatistics(faces, SurfaceRegion::strut).median, 5.0);
 }
 
+TEST(WssStatistics, WhereAllIsLowTheFractionIsExactlyOne) {
+  std::vector<WallFace> faces;
+  for (int n = 0; n < 1000; ++n)  // areas whose sum depends on its order, stresses that turn it round
+    faces.push_back({Vec3::Zero(), 1.0 / (3 + n), {0, 0, 1e-3 * (1000 - n)}, SurfaceRegion::wall});
+  EXPECT_EQ(wssStatistics(faces, SurfaceRegion::wall, 2.0).lowAreaFraction, 1.0);
+}
+
 TEST(WssStatistics, AreZeroWithoutFaces) {
   EXPECT_EQ(wssStatistics({}, SurfaceRegion::wall).mean, 0.0);
   EXPECT_EQ(wssStatistics({}, SurfaceRegion::wall).area, 0.0);

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "FlowResolution.h"
 #include "SceneFingerprint.h"
 #include "SecondsPerDay.h"
 #include "StressReaders.h"
 #include "SurfaceCheck.h"
+#include "Units.h"
 
 namespace restenosis {
 
@@ -40,6 +42,7 @@ double FlowPart::undecidedShareMoved() const {
 }
 
 void FlowPart::run(const Instant& now) {
+  if (world_.flow.solves == 0) requireResolution();
   const TriSurface& lumen = world_.lumenSurface();
   const std::filesystem::path folder = world_.folder.flowCase(now.time);
   if (!world_.hasLoadedLumen()) {
@@ -71,6 +74,11 @@ void FlowPart::run(const Instant& now) {
   world_.changes.touch(Quantity::wallTraction);
   if (world_.scene.output.keepFlowCases == "last" && std::filesystem::exists(folder))
     world_.folder.removeFlowCasesBut(std::array{folder, world_.caseInCheckpoint});
+}
+
+void FlowPart::requireResolution() const {
+  if (world_.hasLoadedLumen()) return;  // looked at before the run
+  if (const auto problem = resolutionProblem(world_.scene, Units())) throw FlowFailed(problem->message, {});
 }
 
 void FlowPart::remark(const Instant& now, const std::string& text) {

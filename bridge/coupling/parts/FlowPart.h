@@ -28,6 +28,9 @@ class FlowPart : public Part {
  private:
   /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
   double undecidedShareMoved() const;
+  /// Refuses a lumen that is too narrow, too short or too large for the backend as the scene gives it. Later
+  /// ones may be narrower: tissue grows. Throws FlowFailed.
+  void requireResolution() const;
   void remark(const Instant& now, const std::string& text);
 
   World& world_;

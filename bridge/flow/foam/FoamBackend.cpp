@@ -13,6 +13,7 @@
 #include "FoamVelocity.h"
 #include "LumenCase.h"
 #include "LumenStl.h"
+#include "LumenWidth.h"
 #include "MeshMorph.h"
 
 namespace restenosis {
@@ -25,6 +26,8 @@ namespace {
 constexpr double overshootCells = 2.0;
 /// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
 constexpr double rimErrorRemark = 0.02;
+/// Fewest cells at the wall across the lumen without a remark (docs/model/flow.md).
+constexpr double fewestCellsAcross = 4.0;
 
 }  // namespace
 
@@ -139,6 +142,12 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
     if (moved) takeRegions(solution.wall, surface);
+    if (std::string narrow =
+            narrownessRemark(surface, {settings_.wallCell(), "cells at the wall", fewestCellsAcross,
+                                       "a finer scene.fidelity, a higher foam.wallLevel or "
+                                       "a smaller foam.cellSize resolves it"});
+        !narrow.empty())
+      solution.remarks.push_back(std::move(narrow));
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(fmt::format(

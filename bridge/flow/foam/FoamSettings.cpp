@@ -134,7 +134,7 @@ void FoamSettings::describe(ParameterVisitor& p) {
   p.quantity(minimumCellsAcross, {.key = "minimumCellsAcross",
                                   .minimum = 1,
                                   .source = "assumed",
-                                  .description = "fewest core cells across the inlet"});
+                                  .description = "fewest core cells across the inlet before the run"});
 }
 
 FoamSettings FoamSettings::forFidelity(std::string_view fidelity) {

@@ -34,7 +34,7 @@ struct FoamSettings {
   double morphDeparture = 0.5;        ///< largest distance of the moved wall from the lumen, in wall cells
   double morphNonOrthogonality = 65;  ///< largest of a moved mesh [degrees]
   double maximumCells = 6e6;          ///< estimate above which meshing is refused
-  double minimumCellsAcross = 8;      ///< fewest core cells across the inlet
+  double minimumCellsAcross = 8;      ///< fewest core cells across the inlet before the run
 
   bool operator==(const FoamSettings&) const = default;
   /// Size of the cells at the wall [m].

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <set>
 #include <vector>
 
 #include "LumenShape.h"
@@ -24,19 +23,12 @@ struct RimPlace {
 };
 
 std::vector<RimPlace> rimPlaces(const TriSurface& lumen, const InletProfile& profile) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
-    if (lumen.region[i] != SurfaceRegion::inlet) continue;
-    const auto& t = lumen.triangles[i];
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
-  }
   const auto inPlane = [&](std::uint32_t v) {
     const Vec3 d = (lumen.vertices[v] - profile.centre) / profile.radius;
     return std::complex<double>(d.dot(profile.xAxis), d.dot(profile.yAxis));
   };
   std::vector<RimPlace> places;
-  for (const auto& [from, to] : edges) {
-    if (edges.contains({to, from})) continue;
+  for (const auto& [from, to] : endRim(lumen, SurfaceRegion::inlet)) {
     const auto a = inPlane(from), b = inPlane(to);
     for (int n = 0; n < placesOnEdge; ++n)
       places.push_back({a + (n + 0.5) / placesOnEdge * (b - a), std::abs(b - a) / placesOnEdge});

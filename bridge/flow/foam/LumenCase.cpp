@@ -16,6 +16,10 @@ constexpr double perMetre = 1e3;  // mm in a metre
 /// Rows of refined cells on each side of a surface that an estimate of the number of cells counts.
 constexpr double refinedRows = 4.0;
 
+/// Cells at the wall across the inlet below which there is nothing to mesh. What a lumen should have before
+/// the run is FoamSettings::minimumCellsAcross; tissue may narrow it as far as it can be meshed.
+constexpr double fewestCellsAcross = 2.0;
+
 double estimatedCells(const LumenCase& lumen, const FoamSettings& s) {
   const auto rows = [&](double area, std::int64_t level) {
     const double size = s.cellSize / std::pow(2.0, static_cast<double>(level));
@@ -127,6 +131,8 @@ void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSet
   parameters.set("meshing", robust ? "thorough" : "quick");
   parameters.set("snapIterations", std::to_string(robust ? robustIterations * settings.snapIterations
                                                          : settings.snapIterations));
+  parameters.set("skewFaces", std::to_string(settings.skewFaces));
+  parameters.set("skewness", settings.skewness);
 }
 
 void writeSolver(DictionaryText& parameters, bool fixedFlow, const FoamSettings& settings, bool robust) {
@@ -164,11 +170,11 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
   }
 
   const double diameter = 2.0 * std::sqrt(result.inlet.area / std::numbers::pi);
-  if (diameter < settings.minimumCellsAcross * settings.cellSize)
+  if (diameter < fewestCellsAcross * settings.wallCell())
     throw std::invalid_argument(fmt::format(
         "the inlet is {:.4g} mm wide, less than {} cells of {:.4g} mm: the lumen is too small for "
         "this fidelity, or its length unit is wrong",
-        diameter * perMetre, settings.minimumCellsAcross, settings.cellSize * perMetre));
+        diameter * perMetre, fewestCellsAcross, settings.wallCell() * perMetre));
   if (const double cells = estimatedCells(result, settings); cells > settings.maximumCells)
     throw std::invalid_argument(fmt::format(
         "the lumen ({:.4g} mm wide, {:.4g} mm long) needs about {:.2g} cells, more than the limit of "

@@ -29,8 +29,8 @@ struct LumenCase {
 };
 
 /// Measures a lumen. Throws std::invalid_argument where the surface cannot be meshed (see
-/// requireLumenWithPlanarEnds), or where its size does not go with the cell sizes: too few cells across the
-/// inlet or too many in all, as after a mistaken unit.
+/// requireLumenWithPlanarEnds), or where its size does not go with the cell sizes: less than two cells across
+/// the inlet or too many in all, as after a mistaken unit.
 LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings);
 
 /// How hard the mesher and the solver try.

@@ -13,6 +13,7 @@
 #include "FlowBackendNames.h"
 #include "LatticeSampler.h"
 #include "LumenShape.h"
+#include "LumenWidth.h"
 #include "SteadyLattice.h"
 
 namespace restenosis {
@@ -20,6 +21,11 @@ namespace {
 
 /// A coarse lattice only gives a start, so it need not settle as far.
 constexpr double coarseTolerance = 10.0;
+/// Spacings across the inlet below which nothing can be solved. What a lumen should have before the run is
+/// LbmSettings::leastNodesAcross; tissue may narrow it further.
+constexpr double fewestNodes = 2.0;
+/// Fewest spacings across the lumen without a remark (docs/model/flow.md).
+constexpr double fewestWithoutRemark = 6.0;
 /// Nodes across the inlet below which a coarser lattice is of no use.
 constexpr double fewestNodesAcross = 16.0;
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
@@ -58,12 +64,12 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
   const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
-  if (across < LbmSettings::leastNodesAcross * settings.dx)
+  if (across < fewestNodes * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
                     "[lbm], or check "
                     "the lumen's length unit",
-                    1e3 * across, LbmSettings::leastNodesAcross, 1e6 * settings.dx));
+                    1e3 * across, fewestNodes, 1e6 * settings.dx));
   std::vector<double> result{settings.dx};
   for (std::int64_t level = 1; level <= settings.coarseLevels; ++level) {
     if (across < fewestNodesAcross * 2.0 * result.front()) break;
@@ -210,6 +216,11 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
     take(solution, *solved);
     log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance, solution.pressureDrop);
     judge(solution, *solved);
+    if (std::string narrow =
+            narrownessRemark(lumen, {solved->units().dx, "spacings", fewestWithoutRemark,
+                                     "a finer scene.fidelity or a smaller lbm.dx resolves it"});
+        !narrow.empty())
+      solution.remarks.push_back(std::move(narrow));
     return solution;
   } catch (const std::exception& error) {
     log.line("failed: {}", error.what());

@@ -16,7 +16,7 @@ struct LbmSettings {
   static constexpr std::string_view section = "lbm";
   static constexpr std::string_view summary =
       "Settings of the lattice Boltzmann backend; dx follows scene.fidelity where it is not given";
-  /// Fewest nodes across the inlet.
+  /// Fewest nodes across the inlet before the run.
   static constexpr double leastNodesAcross = 8;
   /// Fewest along the lumen: with two layers, of which each is an end, the flow diverges.
   static constexpr double leastNodesAlong = 3;
