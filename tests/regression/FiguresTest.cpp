@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "Figures.h"
+#include "Process.h"
 #include "SyntheticResults.h"
 #include "TemporaryFolder.h"
 
@@ -57,6 +59,33 @@ TEST(Figures, SayWhenThereIsNothingToDraw) {
     GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
   TemporaryFolder folder;
   EXPECT_NE(Figures().draw(folder.path()).find("holds no results to draw"), std::string::npos);
+}
+
+TEST(Figures, TheFrontOfATradeoffEndsAtTheReference) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  // b's second value is beaten by its reference; a's reference says nothing about b
+  writeText(folder / "tradeoff.csv",
+            "setting,value,seconds,error,meaning\n"
+            "a,fine,40,0,thickness against a = fine\n"
+            "a,coarse,10,0.2,thickness against a = fine\n"
+            "b,fine,60,0,thickness against b = fine\n"
+            "b,slow,70,0.01,thickness against b = fine\n"
+            "b,coarse,50,0.3,thickness against b = fine\n");
+  writeText(folder / "fronts.py",
+            fmt::format(R"(import pathlib, sys
+sys.path.insert(0, "{}")
+import tradeoff
+fronts = tradeoff.fronts(tradeoff.read(pathlib.Path("{}")))
+print([[row["setting"] + row["value"] for row in front] for front in fronts])
+)",
+                        RESTENOSIS_SOURCE_DIR "/bridge/output/figures", folder.path().string()));
+  const ProcessEnd end =
+      Process({"/usr/bin/python3", "-B", (folder / "fronts.py").string()}, folder.path()).wait(60s);
+  EXPECT_EQ(end.out, "[['acoarse', 'afine'], ['bcoarse', 'bfine']]\n") << toString(end);
+  EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+  EXPECT_GT(readText(folder / "tradeoff.png").size(), 10000u);
 }
 
 TEST(Figures, NamesWhatIsMissing) {

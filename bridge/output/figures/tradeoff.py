@@ -23,7 +23,9 @@ def read(folder):
 
 
 def front(rows):
-    """The rows that are nowhere beaten in both cost and error, by rising cost."""
+    """The rows, all measured against one reference, that are nowhere beaten in both cost and error, by rising cost.
+
+    A reference among them has no error, so the front ends there."""
     best = []
     for row in sorted(rows, key=lambda row: (row["seconds"], row["error"])):
         if not best or row["error"] < best[-1]["error"]:
@@ -31,38 +33,56 @@ def front(rows):
     return best
 
 
+def fronts(rows):
+    """A front for each reference: errors against different ones say nothing about each other."""
+    meanings = dict.fromkeys(row["meaning"] for row in rows)
+    return [front([row for row in rows if row["meaning"] == meaning]) for meaning in meanings]
+
+
 def draw_panel(axis, rows, title, seeds):
-    """Rows without an error are what the others are measured against, and have no place on a logarithmic axis."""
+    """Rows without an error, references among them, stand on the axis of cost."""
     for number, setting in enumerate(dict.fromkeys(row["setting"] for row in rows)):
-        chosen = [row for row in rows if row["setting"] == setting and row["error"] > 0]
+        chosen = [row for row in rows if row["setting"] == setting]
         look = {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
         axis.plot(
-            [row["seconds"] for row in chosen], [row["error"] for row in chosen], linestyle="", label=setting, **look
+            [row["seconds"] for row in chosen],
+            [row["error"] for row in chosen],
+            linestyle="",
+            label=setting,
+            clip_on=False,
+            zorder=3,
+            **look,
         )
         for row in chosen:
             axis.annotate(
                 row["value"], (row["seconds"], row["error"]), xytext=(5, 4), textcoords="offset points", fontsize=8
             )
-    best = front([row for row in rows if row["error"] > 0])
-    axis.plot(
-        [row["seconds"] for row in best],
-        [row["error"] for row in best],
-        color=style.GREY,
-        linewidth=1,
-        drawstyle="steps-post",
-        label="nothing is both cheaper and nearer",
-        zorder=1,
-    )
+    label = "nothing is both cheaper and nearer"
+    for best in fronts(rows):
+        axis.plot(
+            [row["seconds"] for row in best],
+            [row["error"] for row in best],
+            color=style.GREY,
+            linewidth=1,
+            drawstyle="steps-post",
+            label=label,
+            zorder=1,
+        )
+        label = None
     if seeds:
         axis.axhspan(0, max(seeds), color=style.LIGHT, alpha=0.6, zorder=0, label="within it: as other seeds differ")
-    costs = [row["seconds"] for row in rows if row["error"] > 0]
+    costs = [row["seconds"] for row in rows]
     errors = [row["error"] for row in rows if row["error"] > 0]
     axis.margins(x=0.15, y=0.15)
     if max(costs) > WIDE * min(costs):
         axis.set_xscale("log")
     if max(errors) > WIDE * min(errors):
-        axis.set_yscale("log")
-    else:
+        # Logarithmic, with a 0 at its end where there are references
+        if len(errors) < len(rows):
+            axis.set_yscale("symlog", linthresh=min(errors), linscale=0.3)
+        else:
+            axis.set_yscale("log")
+    if axis.get_yscale() != "log":
         axis.set_ylim(bottom=0)
     axis.set(title=title, xlabel="seconds", ylabel="error [%]")
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2)
