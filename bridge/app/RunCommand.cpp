@@ -119,14 +119,12 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   if (arguments.resume) run.resume();
   atomicWrite(folder.scene(), writeScene(scene, Units()));
   run.go();
-  // The pictures unroll the lumen about its axis, which a loaded one need not have
-  const bool pictures = scene.output.pictures && !scene.hasLoadedLumen();
-  if (pictures) {
+  if (scene.output.pictures) {
     const std::string obstacle = Figures().draw(folder.path(), options.stopRequested);
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
   printPoiseuille(run);
-  nameResults(folder, run, pictures);
+  nameResults(folder, run, scene.output.pictures);
   return ExitStatus::done;
 }
 

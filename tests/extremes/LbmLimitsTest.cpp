@@ -154,6 +154,11 @@ TEST(LbmLimits, stepsThatDoNotSufficeAreSaidToBeTooFew) {
   const std::string said = refusal(tube(tubeRadius, tubeLength), flowing(0.1), settings);
   EXPECT_NE(said.find("maximumSteps"), std::string::npos) << said;
   EXPECT_EQ(said.find("inf"), std::string::npos) << said;
+
+  // As many as are allowed, also where the stress is looked at more seldom
+  settings.maximumSteps = 3;
+  EXPECT_NE(refusal(tube(tubeRadius, tubeLength), flowing(0.1), settings).find("within 3 steps"),
+            std::string::npos);
 }
 
 TEST(LbmLimits, toleranceBelowRoundOffEnds) {

@@ -54,6 +54,20 @@ TEST(Figures, DrawsWhatThereIsBeforeAnyFlowAndForOneFrame) {
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
 }
 
+TEST(Figures, ShowALumenFromAFileInSpaceAndOnThePage) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  SyntheticResults().write(folder.path());
+  writeText(folder / "scene.toml", "[vessel]\nlumenSurface = \"a.stl\"\n");
+  std::filesystem::remove(folder / "tissue.pvd");
+  EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+  for (const char* none : {"growth.png", "lumen.png", "section.png"})
+    EXPECT_FALSE(std::filesystem::exists(folder / none)) << none;
+  EXPECT_TRUE(std::filesystem::exists(folder / "lumen3d.png"));
+  EXPECT_NE(readText(folder / "report.html").find("The lumen in space."), std::string::npos);
+}
+
 TEST(Figures, SayWhenThereIsNothingToDraw) {
   if (!pythonHasPackages())
     GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";

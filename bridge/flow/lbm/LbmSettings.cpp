@@ -86,10 +86,7 @@ void LbmSettings::describe(ParameterVisitor& p) {
              .source = "assumed",
              .description = "lattices of twice, four times ... the spacing from which the solution starts"});
   p.integer(maximumSteps,
-            {.key = "maximumSteps",
-             .minimum = 2,
-             .source = "assumed",
-             .description = "time steps after which the next look at the stress is the last one"});
+            {.key = "maximumSteps", .minimum = 2, .source = "assumed", .description = "most time steps"});
   p.quantity(maximumNodes,
              {.key = "maximumNodes",
               .minimum = 1,

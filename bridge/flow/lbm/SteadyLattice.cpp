@@ -102,7 +102,18 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
   const std::size_t stride = std::max<std::size_t>(1, (stress_.faces() + mostSamples - 1) / mostSamples);
   SteadyState steady;
   const std::int64_t interval = checkInterval();
+  double distance = steady.distance();
   for (;;) {
+    // Samples must lie equally far apart, so none is taken of the rest
+    if (steps_ + interval > settings_.maximumSteps)
+      throw LatticeFailed(fmt::format(
+          "the wall shear stress did not settle within {} steps: {}, and tolerance is {:.2g}; raise "
+          "maximumSteps or tolerance in [lbm]",
+          settings_.maximumSteps,
+          std::isfinite(distance)
+              ? fmt::format("it is estimated to be {:.2g} from its steady state", distance)
+              : "too few to estimate how far it is from its steady state",
+          tolerance));
     flow_->advance(static_cast<int>(interval / 2));
     steps_ += interval;
     const auto values = stress_.nodeValues(*flow_);
@@ -113,18 +124,9 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
       sample.insert(sample.end(), {t.x(), t.y(), t.z()});
     }
     steady.add(std::move(sample));
-    const double distance = steady.distance();
+    distance = steady.distance();
     if (!watch(steps_, distance)) return;
     if (distance < tolerance) break;
-    if (steps_ >= settings_.maximumSteps)
-      throw LatticeFailed(fmt::format(
-          "the wall shear stress did not settle within {} steps: {}, and tolerance is {:.2g}; raise "
-          "maximumSteps or tolerance in [lbm]",
-          steps_,
-          std::isfinite(distance)
-              ? fmt::format("it is estimated to be {:.2g} from its steady state", distance)
-              : "too few to estimate how far it is from its steady state",
-          tolerance));
   }
   for (const NodeRun& run : lattice_.layout.runs())
     for (std::uint32_t n = 0; n < run.count; ++n)

@@ -2,7 +2,7 @@
 
     /usr/bin/python3 bridge/output/figures RESULTS
 
-Writes growth.png, lumen.png, section.png and lumen3d.png beside what they are drawn from, and report.html, one page with
+Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, beside what they are drawn from, and report.html, one page with
 all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. Needs Debian's
 python3-matplotlib and python3-vtk9, and xvfb where there is no display. Exit status 0 when every picture that the
 results allow was drawn; otherwise the last line printed says what is missing.
@@ -53,8 +53,11 @@ def draw(folder):
             drawn.append(name)
         except results.NothingToDraw as reason:
             print(f"{name}: {reason}")
-    if "lumen.png" in drawn and (problem := draw_in_space(folder)):
-        problems.append(f"lumen3d.png: {problem}")
+    if (folder / "lumen.pvd").exists():
+        if problem := draw_in_space(folder):
+            problems.append(f"lumen3d.png: {problem}")
+        else:
+            drawn.append("lumen3d.png")
     try:
         report.write(folder, folder / "report.html")
     except results.NothingToDraw as reason:

@@ -78,6 +78,8 @@ def shear(axis, series):
 
 
 def draw(folder, path):
+    if results.only_flow_from_file(folder):
+        raise results.NothingToDraw("a lumen from a file without tissue does not grow")
     style.apply()
     series = results.time_series(folder)
     if len(series["day"]) < FEW:

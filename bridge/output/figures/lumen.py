@@ -66,6 +66,8 @@ def row_of_maps(figure, axes, maps, days, length, colours, label, ends):
 
 
 def draw(folder, path):
+    if results.only_flow_from_file(folder):
+        raise results.NothingToDraw("a lumen from a file has no axis to unroll it about")
     style.apply()
     entries = results.spread(results.frames(folder, "lumen"), COLUMNS)
     days = [day for day, _ in entries]

@@ -1,4 +1,4 @@
-"""lumen3d.png: the lumen in space on several days, opened along its axis, coloured by wall shear stress.
+"""lumen3d.png: the lumen in space on several days, opened along its axis if it has one, coloured by wall shear stress.
 
 Run by itself, with a display: lumen3d.py RESULTS.
 """
@@ -52,13 +52,36 @@ def smoothed(data):
     return normals.GetOutput()
 
 
-def render(data, table, length, radius):
-    """A picture of one lumen as an array (height, width, 3)."""
-    opening = vtkPlane()
-    opening.SetNormal(-1, 0, 0)
+def into_the_half(camera, data):
+    """Looks at the half of a lumen about the z axis that is left of x = 0, from the open side."""
+    bounds = data.GetBounds()
+    length, radius = bounds[5], bounds[1]
+    camera.SetFocalPoint(-0.35 * radius, 0, 0.5 * length)
+    camera.SetPosition(4.2 * radius, 2.2 * radius, 0.5 * length - 2.4 * radius)
+    camera.SetViewUp(0, 1, 0)
+    camera.SetParallelScale(0.62 * max(length, 2.2 * radius))
+
+
+def at_the_widest_side(camera, data):
+    """Looks at a lumen that lies as it likes along the direction that it reaches least far in, its longest across."""
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    longest, second, least = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
+    reach = [np.abs((points - middle) @ axis).max() for axis in (longest, second, least)]
+    camera.SetFocalPoint(*middle)
+    camera.SetPosition(*(middle + 3 * (reach[0] + reach[2]) * least))
+    camera.SetViewUp(*second)
+    camera.SetParallelScale(1.08 * max(reach[1], reach[0] * PANEL[1] / PANEL[0]))
+
+
+def render(data, table, opened):
+    """A picture of one lumen as an array (height, width, 3); `opened`: cut along its axis."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(smoothed(data))
-    mapper.AddClippingPlane(opening)
+    if opened:
+        opening = vtkPlane()
+        opening.SetNormal(-1, 0, 0)
+        mapper.AddClippingPlane(opening)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("WSS")
     mapper.SetLookupTable(table)
@@ -74,11 +97,8 @@ def render(data, table, length, radius):
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(-0.35 * radius, 0, 0.5 * length)
-    camera.SetPosition(4.2 * radius, 2.2 * radius, 0.5 * length - 2.4 * radius)
-    camera.SetViewUp(0, 1, 0)
     camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.62 * max(length, 2.2 * radius))
+    (into_the_half if opened else at_the_widest_side)(camera, data)
     renderer.ResetCameraClippingRange()
 
     window = vtkRenderWindow()
@@ -107,14 +127,16 @@ def trimmed(images):
 
 def draw(folder, path):
     style.apply()
+    opened = not results.only_flow_from_file(folder)
     entries = results.spread(results.frames(folder, "lumen"), FRAMES)
+    if not opened:
+        entries = entries[-1:]  # it does not change
     data = [results.poly_data(file) for _, file in entries]
     shear = np.concatenate([vtk_to_numpy(d.GetCellData().GetArray("WSS")) for d in data])
     shear = shear[np.isfinite(shear)]
     top = np.percentile(shear, 98) if shear.size else 1.0
     table = colour_table(style.WSS_MAP, 0.0, top)
-    bounds = data[0].GetBounds()
-    images = trimmed([render(d, table, bounds[5], bounds[1]) for d in data])
+    images = trimmed([render(d, table, opened) for d in data])
 
     figure, axes = plt.subplots(1, len(images), figsize=(3.2 * len(images) + 0.8, 3.3), squeeze=False)
     for axis, image, (day, _) in zip(axes[0], images, entries):

@@ -1,6 +1,7 @@
 """Reads a results folder into numpy arrays."""
 
 import csv
+import tomllib
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -12,6 +13,15 @@ class NothingToDraw(Exception):
 
 
 KINDS = {"smc": 0, "iel": 1, "eel": 2, "strut": 3}
+
+
+def only_flow_from_file(folder):
+    """Whether the run is of a lumen from a file without tissue: it does not grow, and lies as it likes."""
+    path = folder / "scene.toml"
+    if not path.exists():
+        return False
+    scene = tomllib.loads(path.read_text(encoding="utf-8"))
+    return bool(scene.get("vessel", {}).get("lumenSurface")) and "mechanics" not in scene
 
 
 def time_series(folder):
