@@ -118,10 +118,10 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   const SolvedFlow reference = solve(flowBackendNames::foam), other = solve(flowBackendNames::lbm);
 
   const FlowComparison result = compareFlows(lumen.surface, lines, reference, other, strutMiddles(scene));
-  const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx};
+  const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx, lumen.alongZ};
   writeComparisonJson(folder / "compare.json", what, result, reference, other);
-  writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, lumen.day);
-  writeComparedVelocities(folder / "compareVelocity.csv", result, reference, other);
+  writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, what);
+  writeComparedVelocities(folder / "compareVelocity.csv", result, reference, other, what);
   if (scene.output.pictures) {
     const std::string obstacle = Figures().draw(folder, &stopOnSignals());
     if (!obstacle.empty()) std::cerr << obstacle << '\n';

@@ -19,14 +19,14 @@ namespace restenosis {
 
 namespace {
 
-/// The lumen moved so that it lies along z. Throws LumenRefused where it bends.
-TriSurface laidAlongZ(const TriSurface& lumen, const std::filesystem::path& file) {
+/// The lumen of a day moved so that it lies along z. Throws LumenRefused where it bends.
+ComparedLumen laidAlongZ(const TriSurface& lumen, double day, const std::filesystem::path& file) {
   const auto frame = frameAlongZ(lumen);
   if (!frame)
     throw LumenRefused(
         fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
                     file.string()));
-  return movedAlongZ(lumen, *frame);
+  return {movedAlongZ(lumen, *frame), day, *frame};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 }
 
 ComparedLumen loadedLumen(const Scene& scene) {
-  return {laidAlongZ(loadLumen(scene.vessel), scene.vessel.lumenSurface), 0.0};
+  return laidAlongZ(loadLumen(scene.vessel), 0.0, scene.vessel.lumenSurface);
 }
 
 std::vector<Vec3> strutMiddles(const Scene& scene) {
@@ -72,7 +72,8 @@ ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<
     const auto lumens = recordedLumens(results);
     const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
     const TriSurface lumen = readLumen(chosen.file);
-    return {liesAlongZ(lumen) ? lumen : laidAlongZ(lumen, chosen.file), chosen.day};
+    if (liesAlongZ(lumen)) return {lumen, chosen.day};
+    return laidAlongZ(lumen, chosen.day, chosen.file);
   } catch (const LumenRefused&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <atomic>
 #include <filesystem>
 #include <optional>
@@ -11,10 +12,11 @@
 
 namespace restenosis {
 
-/// The lumen that flows are compared in, and the day it is of.
+/// The lumen that flows are compared in, along z, and the day it is of.
 struct ComparedLumen {
   TriSurface surface;
   double day = 0.0;
+  Eigen::Isometry3d alongZ = Eigen::Isometry3d::Identity();  ///< the motion that laid it so
 };
 
 /// A lumen from a file that cannot be compared: the file is named, and what is needed.

@@ -35,6 +35,16 @@ Json costJson(const SolvedFlow& flow) {
   return json;
 }
 
+/// Rows of the rotation and the translation after it: where a place of the other files is along z.
+Json motionJson(const Eigen::Isometry3d& motion) {
+  Json json;
+  const Eigen::Matrix3d turn = motion.linear();
+  for (int row = 0; row < 3; ++row) json["rotation"].push_back({turn(row, 0), turn(row, 1), turn(row, 2)});
+  const Vec3 shift = perMillimetre * motion.translation();
+  json["translation_mm"] = {shift.x(), shift.y(), shift.z()};
+  return json;
+}
+
 class DifferenceJson {
  public:
   DifferenceJson(std::string reference, std::string other, std::string unit)
@@ -67,6 +77,7 @@ void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& 
   json["day"] = what.day;
   json["fidelity"] = what.fidelity;
   json["latticeSpacing_um"] = what.latticeSpacing * 1e6;
+  json["alongZ"] = motionJson(what.alongZ);
   json["version"] = version();
   json["reference"] = reference.backend;
   json[reference.backend] = costJson(reference);
@@ -98,9 +109,10 @@ void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& 
 
 void writeComparisonSurface(const std::filesystem::path& file, const TriSurface& lumen,
                             const FlowComparison& c, const SolvedFlow& reference, const SolvedFlow& other,
-                            double day) {
+                            const ComparedCase& what) {
+  const Eigen::Isometry3d back = what.alongZ.inverse();
   vtkNew<vtkPoints> points;
-  for (const Vec3& v : lumen.vertices) points->InsertNextPoint(v.data());
+  for (const Vec3& v : lumen.vertices) points->InsertNextPoint((back * v).eval().data());
   vtkNew<vtkCellArray> polygons;
   for (const auto t : c.faces.triangle) {
     polygons->InsertNextCell(3);
@@ -118,28 +130,30 @@ void writeComparisonSurface(const std::filesystem::path& file, const TriSurface&
     addArray<vtkFloatArray>(cells, ("WSS_" + flows[f]->backend).c_str(), n, 1,
                             [&](std::size_t i, int) { return traction[i].norm(); });
     addArray<vtkFloatArray>(cells, ("traction_" + flows[f]->backend).c_str(), n, 3,
-                            [&](std::size_t i, int d) { return traction[i][d]; });
+                            [&](std::size_t i, int d) { return back.linear().row(d).dot(traction[i]); });
   }
   addArray<vtkFloatArray>(cells, "WSS_difference", n, 1, [&](std::size_t i, int) {
     return c.traction[1][i].norm() - c.traction[0][i].norm();
   });
-  writePolyData(file, data, day * secondsPerDay);
+  writePolyData(file, data, what.day * secondsPerDay);
 }
 
 void writeComparedVelocities(const std::filesystem::path& file, const FlowComparison& c,
-                             const SolvedFlow& reference, const SolvedFlow& other) {
+                             const SolvedFlow& reference, const SolvedFlow& other, const ComparedCase& what) {
   if (!c.hasVelocities) return;
+  const Eigen::Isometry3d back = what.alongZ.inverse();
   std::string text = "where,x_mm,y_mm,z_mm";
   for (const SolvedFlow* flow : {&reference, &other})
     for (const char axis : {'x', 'y', 'z'}) text += fmt::format(",{}_u{}_m_s", flow->backend, axis);
   text += '\n';
   std::size_t at = 0;
   const auto rows = [&](const std::string& where, const std::vector<Vec3>& points) {
-    for (const Vec3& p : points) {
+    for (const Vec3& point : points) {
+      const Vec3 p = back * point;
       text += fmt::format("{},{:.6g},{:.6g},{:.6g}", where, perMillimetre * p.x(), perMillimetre * p.y(),
                           perMillimetre * p.z());
       for (const SolvedFlow* flow : {&reference, &other})
-        for (const double u : flow->velocities[at]) text += fmt::format(",{:.6g}", u);
+        for (const double u : Vec3(back.linear() * flow->velocities[at])) text += fmt::format(",{:.6g}", u);
       text += '\n';
       ++at;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <string>
 
@@ -13,6 +14,8 @@ struct ComparedCase {
   std::string fidelity;
   double day = 0.0;             ///< of the lumen
   double latticeSpacing = 0.0;  ///< [m]
+  /// The motion that laid the lumen along z before it was compared. Files say where things lay before it.
+  Eigen::Isometry3d alongZ = Eigen::Isometry3d::Identity();
 };
 
 /// compare.json: WSS by part, pressure drop, velocities, cost. Throws WriteFailed.
@@ -24,11 +27,11 @@ void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& 
 /// either backend and their difference [Pa]. Throws WriteFailed.
 void writeComparisonSurface(const std::filesystem::path& file, const TriSurface& lumen,
                             const FlowComparison& comparison, const SolvedFlow& reference,
-                            const SolvedFlow& other, double day);
+                            const SolvedFlow& other, const ComparedCase& what);
 
 /// compareVelocity.csv: where (axis, plane1, ...), point [mm] and the velocity of either backend [m/s].
 /// Writes nothing where a backend gave none. Throws WriteFailed.
 void writeComparedVelocities(const std::filesystem::path& file, const FlowComparison& comparison,
-                             const SolvedFlow& reference, const SolvedFlow& other);
+                             const SolvedFlow& reference, const SolvedFlow& other, const ComparedCase& what);
 
 }  // namespace restenosis

@@ -1,4 +1,15 @@
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <sstream>
+
 #include "OpenFoamPresent.h"
+#include "StlFile.h"
+#include "SweptTube.h"
+#include "TubeSurface.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -53,6 +64,48 @@ TEST_F(Compare, TakesTheLumenOfARun) {
   // What a comparison that fails has found is not what the former one has
   EXPECT_EXIT_STATUS(run({"compare", "done", "--set", "lbm.maximumSteps=50"}), 1);
   EXPECT_FALSE(exists("done/compare/compare.json"));
+}
+
+/// As lumen.vtp of a run has it, whatever way the lumen points.
+TEST_F(Compare, WhatComesOutLiesWhereTheLumenDoes) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const SurfaceRegion open[] = {SurfaceRegion::wall};
+  const auto motion = support::motionTo(Vec3(1, 2, 2), Vec3(3e-3, -2e-3, 1e-3));
+  writeStl(folder / "oblique.stl", support::moved(support::tube(0.9e-3, 0.6e-3), motion), 1e-3, open);
+  const std::string oblique =
+      scene("oblique", with(with(straightTube, "length = \"0.6 mm\"\nlumenDiameter = \"1.8 mm\"",
+                                 "lumenSurface = \"oblique.stl\""),
+                            "pictures = false", "pictures = true"));
+  ASSERT_EXIT_STATUS(run({"compare", oblique, "-o", "out"}), 0);
+
+  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+  reader->SetFileName((folder / "out/compare.vtp").c_str());
+  reader->Update();
+  vtkPolyData* const surface = reader->GetOutput();
+  ASSERT_GT(surface->GetNumberOfCells(), 0);
+  vtkDataArray* const traction = surface->GetCellData()->GetArray("traction_lbm");
+  for (vtkIdType t = 0; t < surface->GetNumberOfCells(); ++t) {
+    Vec3 along, place;
+    traction->GetTuple(t, along.data());
+    surface->GetPoint(surface->GetCell(t)->GetPointId(0), place.data());
+    EXPECT_NEAR((motion.inverse() * place).head<2>().norm(), 0.9e-3, 2e-6);
+    EXPECT_GT(along.normalized().dot(motion.linear() * Vec3::UnitZ()), 0.99);
+  }
+  std::istringstream rows(readText(folder / "out/compareVelocity.csv"));
+  std::string where;
+  std::getline(rows, where);
+  ASSERT_TRUE(std::getline(rows, where, ','));
+  EXPECT_EQ(where, "axis");
+  Vec3 place, velocity[2];
+  char comma = 0;
+  for (Vec3* v : {&place, &velocity[0], &velocity[1]})
+    for (double& number : *v) rows >> number >> comma;
+  EXPECT_LT((motion.inverse() * Vec3(1e-3 * place)).head<2>().norm(), 2e-6);
+  for (const Vec3& u : velocity) EXPECT_GT(u.normalized().dot(motion.linear() * Vec3::UnitZ()), 0.99);
+
+  const auto json = nlohmann::json::parse(readText(folder / "out/compare.json"));
+  EXPECT_EQ(json["scene"], "oblique");
+  EXPECT_NEAR(json["alongZ"]["rotation"][2][1], 2.0 / 3.0, 1e-3);
 }
 
 TEST_F(Compare, DamagedResultsAreRefusedBeforeAnythingIsWritten) {

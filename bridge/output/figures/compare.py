@@ -27,7 +27,9 @@ def read(folder):
         numbers = json.load(file)
     data = results.poly_data(path)
     cells = data.GetCellData()
-    vertices = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    motion = numbers["alongZ"]
+    vertices = vtk_to_numpy(data.GetPoints().GetData()).astype(float) @ np.transpose(motion["rotation"])
+    vertices += 1e-3 * np.array(motion["translation_mm"])
     surface = {
         "vertices": vertices,
         "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
