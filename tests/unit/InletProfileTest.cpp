@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "AnnularTube.h"
 #include "Constants.h"
 #include "InletProfile.h"
 #include "SweptTube.h"
@@ -40,6 +41,29 @@ TEST(InletProfile, AShapeFarFromRoundIsKnownByItsRim) {
     v.head<2>() *= factor;
   }
   EXPECT_GT(developedProfile(star).rimError, 0.02);
+}
+
+/// Between two circles w = p^2 - r^2 + (p^2 - q^2) ln(r/p) / ln(p/q) vanishes at r = p and r = q.
+TEST(InletProfile, AnAnnulusIsMetByItsLogarithm) {
+  constexpr double outer = 0.9e-3, inner = 0.4e-3;
+  const auto profile = developedProfile(annularTube(outer, inner, 1e-3));
+  ASSERT_EQ(profile.holes.size(), 1u);
+  const double unit = std::sqrt(outer * outer - inner * inner), p = outer / unit, q = inner / unit;
+  EXPECT_NEAR(profile.radius / unit, 1.0, 1e-9);
+  for (const double r : {0.5, 0.7, 0.9})
+    EXPECT_NEAR(profile(0.6 * r, -0.8 * r),
+                p * p - r * r + (p * p - q * q) * std::log(r / p) / std::log(p / q), 2e-3);
+  EXPECT_LT(profile.rimError, 0.02);
+  EXPECT_NE(profile.expression().find("log("), std::string::npos);
+}
+
+TEST(InletProfile, AHoleMayLieAside) {
+  for (const double aside : {0.1e-3, 0.3e-3}) {
+    const auto profile = developedProfile(annularTube(0.9e-3, 0.3e-3, 1e-3, aside));
+    EXPECT_LT(profile.rimError, 0.1) << aside;
+    const double middle = 0.5 * (-0.9e-3 + aside - 0.3e-3);
+    EXPECT_GT(profile((middle - profile.centre.x()) / profile.radius, 0.0), 0.1);
+  }
 }
 
 TEST(InletProfile, FollowsTheInletInAnyDirection) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "AnnularTube.h"
 #include "Constants.h"
 #include "LumenShape.h"
 #include "TubeSurface.h"
@@ -32,6 +33,19 @@ TEST(LumenShape, crossSectionsHaveTheirCentroids) {
     EXPECT_NEAR(sections[i].area / (pi * 0.81e-6), 1.0, 1e-12);
     EXPECT_LT((sections[i].centre - Vec3(2e-3 + 0.5 * z[i], -z[i], z[i])).norm(), 1e-12);
   }
+}
+
+TEST(LumenShape, crossSectionsAndRimsHaveTheirLengths) {
+  const TriSurface lumen = annularTube(0.9e-3, 0.4e-3, 1e-3);
+  const double z[] = {0.1e-3, 0.5e-3};
+  const double exact = 2 * pi * 1.3e-3;
+  for (const CrossSection& section : crossSections(lumen, z))
+    EXPECT_NEAR(section.perimeter / exact, 1.0, 1e-3);
+  double length = 0.0;
+  const auto rim = endRim(lumen, SurfaceRegion::outlet);
+  for (const auto& [a, b] : rim) length += (lumen.vertices[b] - lumen.vertices[a]).norm();
+  EXPECT_EQ(rim.size(), 2u * 96u);
+  EXPECT_NEAR(length / exact, 1.0, 1e-3);
 }
 
 TEST(LumenShape, crossSectionsOfACone) {

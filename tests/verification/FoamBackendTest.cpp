@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "AnnularTube.h"
 #include "EllipticDuct.h"
 #include "FlowSupport.h"
 #include "FoamBackend.h"
@@ -51,6 +52,32 @@ TEST(FoamBackend, ellipticDuctTurnedAboutItsAxis) {
   EXPECT_LT(std::abs(e.stress.mean), 0.01);
   EXPECT_LT(std::abs(e.pressureDrop), 0.03);
   EXPECT_LT(e.velocity, 0.01);
+}
+
+/// The developed flow between two tubes, whose inlet's centre lies in the inner one. The pressure gradient is
+/// 8 mu Q / (pi (b^4 - a^4 - (b^2 - a^2)^2 / ln(b/a))) (Bird, Stewart and Lightfoot 2002, eq. 2.4-17).
+TEST(FoamBackend, annulusHasItsOwnDevelopedProfile) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  constexpr double outer = 0.9e-3, inner = 0.45e-3, length = 0.8e-3;
+  FoamSettings settings = FoamSettings::forFidelity("draft");
+  settings.cellSize = 45e-6;
+  FoamBackend backend(settings);
+  const FlowConditions conditions = vesselConditions();
+  const auto s = backend.solve(annularTube(outer, inner, length), conditions, scratch / "case");
+  const double squares = outer * outer - inner * inner, ratio = std::log(outer / inner);
+  const double gradient =
+      8.0 * conditions.dynamicViscosity() * conditions.flowRate /
+      (std::numbers::pi * (std::pow(outer, 4) - std::pow(inner, 4) - squares * squares / ratio));
+  EXPECT_NEAR(s.pressureDrop / (gradient * length), 1.0, 0.03);
+  // dw/dr of p^2 - r^2 + (p^2 - q^2) ln(r/p) / ln(p/q), times the gradient over 4
+  const auto stress = [&](const Vec3& place) {
+    const double r = place.head<2>().norm();
+    return 0.25 * gradient * std::abs(-2.0 * r + squares / (ratio * r));
+  };
+  const auto error = stressError(s, stress, meanStress(s), endMargin, length - endMargin);
+  EXPECT_LT(error.l2, 0.03);
+  EXPECT_TRUE(s.remarks.empty());
 }
 
 /// In a tube that widens blood slows down and regains pressure (Bernoulli), more than friction takes.

@@ -119,7 +119,7 @@ void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSet
                bool robust) {
   // Just inside the inlet, at a fraction of a cell that refinement never makes a face
   const InletProfile& profile = lumen.profile;
-  const Vec3 inside = (profile.centre + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
+  const Vec3 inside = (profile.inside + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
                                                              0.371 * profile.direction)) *
                       perMetre;
   parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
