@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "AlikeRemarks.h"
 #include "Biology.h"
 #include "ChangeLedger.h"
 #include "DeploymentStatistics.h"
@@ -48,10 +49,11 @@ struct FlowState {
   std::map<std::string, std::uint64_t> remeshedBecause;  ///< how often it was not, by reason
   std::map<std::string, std::string> settings;           ///< of its backend (flowSettings)
   bool mixed = false;                                    ///< whether earlier solves had others
+  AlikeRemarks remarked;                                 ///< in World::remarks
 
   template <class Archive>
   void archive(Archive& a) {
-    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings, mixed);
+    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings, mixed, remarked);
   }
 };
 

@@ -55,8 +55,7 @@ std::string narrownessRemark(const TriSurface& lumen, const WallPieces& pieces) 
                                 : std::string("at an end");
   return fmt::format(
       "{} the lumen is {:.3g} um wide, {:.2g} {} of {:.4g} um: with less than {:g} the resistance and the "
-      "stress "
-      "there may be far off; {}",
+      "stress there may be far off; {}",
       place, 1e6 * narrowest.width, across, pieces.name, 1e6 * pieces.size, pieces.leastAcross,
       pieces.resolvedBy);
 }

@@ -3,8 +3,8 @@
 
     /usr/bin/python3 docs/results/figure6_3.py RESULTS
 
-Runs scenes/deployment.toml with both contact laws: with a fixed, small effort in each step of the deployment, and
-relaxed to equilibrium in each. Runs that RESULTS holds already are not repeated. Draws
+Runs scenes/deployment.toml with both contact laws: with a fixed, small effort in each step of the deployment by either
+minimiser, and relaxed to equilibrium in each. Runs that RESULTS holds already are not repeated. Draws
 docs/pictures/figure6_3.png and prints the table of docs/results/deployment.md.
 """
 import json
@@ -21,9 +21,15 @@ from figures import results, style  # noqa: E402
 
 LAWS = {"hertzNeoHookean": "neo-Hookean", "hertz": "Hertz"}
 STEPS = {"fixed effort": {"hertzNeoHookean": (10, 100, 1000), "hertz": (10, 100, 1000)},
+         "overdamped, fixed effort": {"hertzNeoHookean": (30, 100, 1000), "hertz": (30, 100, 1000)},
          "relaxed": {"hertzNeoHookean": (100,), "hertz": (100,)}}
-RELAXED = ["--set", "mechanics.stopAtMaximum=false", "--set", "mechanics.maximumIterations=20000"]
-COLOURS = {10: style.YELLOW, 100: style.ORANGE, 1000: style.BLUE, 10000: style.PURPLE}
+SETTINGS = {"fixed effort": {},
+            "overdamped, fixed effort": {"mechanics.minimiser": "overdamped"},
+            "relaxed": {"mechanics.stopAtMaximum": "false", "mechanics.maximumIterations": "20000"}}
+TITLES = {"fixed effort": "11 force evaluations in each step",
+          "overdamped, fixed effort": "the same, moved as the thesis does",
+          "relaxed": "each step relaxed"}
+COLOURS = {10: style.YELLOW, 30: style.VERMILION, 100: style.ORANGE, 1000: style.BLUE, 10000: style.PURPLE}
 MIDDLE, HALF_STRUT, BESIDE = 0.3, 0.0225, (0.075, 0.13)  # mm from the inlet, and from the strut's middle
 
 
@@ -32,7 +38,9 @@ def run(folder, law, steps, regime):
         return
     command = [ROOT / "build/release/restenosisFoam", "run", ROOT / "scenes/deployment.toml", "-o", folder,
                "--set", f"mechanics.contactLaw={law}", "--set", f"stent.deploymentSteps={steps}",
-               "--set", "output.pictures=false", *(RELAXED if regime == "relaxed" else [])]
+               "--set", "output.pictures=false"]
+    for key, value in SETTINGS[regime].items():
+        command += ["--set", f"{key}={value}"]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stderr)
@@ -66,15 +74,15 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     style.apply()
-    figure, axes = pyplot.subplots(1, 2, figsize=(10, 4), sharey=True)
+    figure, axes = pyplot.subplots(1, len(STEPS), figsize=(14, 4), sharey=True)
     edges = np.linspace(0, 2 * MIDDLE, 25)
     print("| each step | law | steps | IEL under the strut | beside it | deployment |\n|---|---|---|---|---|---|")
     for axis, (regime, laws) in zip(axes, STEPS.items()):
-        axis.set_title("11 force evaluations in each step" if regime == "fixed effort" else "each step relaxed")
+        axis.set_title(TITLES[regime])
         axis.set_xlabel("distance from the inlet [mm]")
         for law, counts in laws.items():
             for steps in counts:
-                folder = Path(sys.argv[1]) / f"{regime.split()[0]}-{law}-{steps}"
+                folder = Path(sys.argv[1]) / f"{regime.split(',')[0].split()[0]}-{law}-{steps}"
                 run(folder, law, steps, regime)
                 z, radius = lamina(folder)
                 profile = [np.median(radius[(z >= a) & (z < b)]) for a, b in zip(edges, edges[1:])]

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "DictionaryText.h"
@@ -48,6 +51,39 @@ TEST_P(FoamCase, runsByHandAndIsCleanedUp) {
 
   ASSERT_EQ(Process({(at / "Allclean").string()}, folder.path()).wait(std::chrono::minutes(1)).status, 0);
   EXPECT_EQ(entriesOf(at), before);
+}
+
+/// Starts Allrun with programs that do nothing but say these words of checkMesh.
+int statusOfAllrun(const TemporaryFolder& folder, const std::string& checkMesh) {
+  const fs::path at = folder / "case", programs = folder / "programs";
+  fs::copy(foamTemplate(), at, fs::copy_options::recursive);
+  fs::create_directories(programs);
+  std::ofstream(programs / "words") << "Finished meshing without any errors\n\n"
+                                    << checkMesh << "SIMPLE solution converged in 3 iterations\n";
+  for (const char* name : {"blockMesh", "snappyHexMesh", "checkMesh", "simpleFoam"}) {
+    std::ofstream(programs / name) << "#!/bin/sh\ncat '" << (programs / "words").string() << "'\n";
+    fs::permissions(programs / name, fs::perms::owner_all);
+  }
+  const std::string path = programs.string() + ":" + std::getenv("PATH");
+  const int status = Process({(at / "Allrun").string()}, folder.path(), {{"PATH", path}})
+                         .wait(std::chrono::minutes(1))
+                         .status;
+  fs::remove_all(at);
+  return status;
+}
+
+TEST(FoamCaseByHand, acceptsTheMeshesThatTheProgramAccepts) {
+  const TemporaryFolder folder;
+  const auto skew = [](const char* skewness, int faces) {
+    return fmt::format(" ***Max skewness = {}, {} highly skew faces detected which may impair\n\n", skewness,
+                       faces);
+  };
+  EXPECT_EQ(statusOfAllrun(folder, "Mesh OK.\n"), 0);
+  EXPECT_EQ(statusOfAllrun(folder, skew("5.5", 10) + "Failed 1 mesh checks.\n"), 0);
+  EXPECT_EQ(statusOfAllrun(folder, skew("5.5", 11) + "Failed 1 mesh checks.\n"), 1);
+  EXPECT_EQ(statusOfAllrun(folder, skew("20.5", 3) + "Failed 1 mesh checks.\n"), 1);
+  EXPECT_EQ(statusOfAllrun(folder, skew("5.5", 3) + "Failed 2 mesh checks.\n"), 1);
+  EXPECT_EQ(statusOfAllrun(folder, ""), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(OnRanks, FoamCase, ::testing::Values(1, 2));

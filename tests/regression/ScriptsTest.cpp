@@ -82,31 +82,6 @@ TEST_F(Scripts, AllrunSeeksFilesWhereTheUserStands) {
       << "the user's own";
 }
 
-/// The case's script, with programs of OpenFOAM that only say how they ended.
-TEST_F(Scripts, TheCaseTakesAsManySkewFacesAsItsParametersAllow) {
-  const auto solved = [this](const std::string& checkMesh) {
-    program(folder / "bin/checkMesh", "cat <<'END'\n" + checkMesh + "END\n");
-    const std::string path = (folder / "bin").string() + ":" + std::getenv("PATH");
-    return Process({(checkout / "foamCase/Allrun").string()}, elsewhere, {{"PATH", path}})
-               .wait(std::chrono::minutes(1))
-               .status == 0;
-  };
-  program(folder / "bin/blockMesh", ":");
-  program(folder / "bin/snappyHexMesh", "echo Finished meshing without any errors");
-  program(folder / "bin/simpleFoam", "echo SIMPLE solution converged in 9 iterations");
-  const auto skew = [](const char* numbers) {
-    return std::string(" ***Max skewness = ") + numbers +
-           " highly skew faces detected which may impair the quality of the results\n";
-  };
-  const std::string one = "\nFailed 1 mesh checks.\n", two = "\nFailed 2 mesh checks.\n";
-  EXPECT_TRUE(solved("Mesh OK.\n"));
-  EXPECT_TRUE(solved(skew("4.6, 10") + one));
-  EXPECT_FALSE(solved(skew("4.6, 11") + one));
-  EXPECT_FALSE(solved(skew("20.5, 1") + one));
-  EXPECT_FALSE(solved(skew("4.6, 1") + " ***Zero or negative cell volume detected.\n" + two));
-  EXPECT_FALSE(solved(" ***Zero or negative cell volume detected.\n" + one));
-}
-
 TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {
   const std::string some = start("Alltest", {"-L", "unit"}, elsewhere);
   EXPECT_NE(some.find("[--no-tests=error]"), std::string::npos) << some;

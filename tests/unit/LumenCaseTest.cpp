@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <stdexcept>
 
+#include "AnnularTube.h"
 #include "Constants.h"
 #include "FlowSupport.h"
 #include "FoamLog.h"
@@ -41,6 +43,8 @@ TEST(LumenCase, numbersAreWrittenInMillimetres) {
   EXPECT_GT(number("xMax"), 0.9 + 0.09);
   EXPECT_EQ(text.get("struts"), "yes");
   EXPECT_EQ(text.get("drive"), "flowRate");
+  EXPECT_EQ(text.get("skewFaces"), "10");
+  EXPECT_EQ(number("skewness"), 20);
 }
 
 TEST(LumenCase, aBentLumenIsMeshedWithItsCaps) {
@@ -79,6 +83,24 @@ TEST(LumenCase, robustEffortChangesMesherAndSolver) {
   EXPECT_EQ(text.get("meshing"), "thorough");
   EXPECT_EQ(text.get("relaxation"), "0.6000000000000001");
   EXPECT_EQ(text.get("struts"), "no");
+}
+
+/// minimumCellsAcross is asked of the lumen before the run; a run in which tissue narrows the inlet goes on.
+TEST(LumenCase, anInletThatTissueHasNarrowedIsMeshed) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  EXPECT_NO_THROW(measureLumen(tube(0.2e-3, vesselLength), settings));  // 2.2 cells of the core
+  EXPECT_THROW(measureLumen(tube(0.04e-3, vesselLength), settings), std::invalid_argument);
+}
+
+TEST(LumenCase, thePointInsideAnAnnulusIsNotItsCentre) {
+  const auto settings = FoamSettings::forFidelity("draft");
+  const auto lumen = measureLumen(annularTube(0.9e-3, 0.5e-3, vesselLength), settings);
+  auto text = templateParameters();
+  writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
+  Vec3 inside;
+  std::istringstream(text.get("insidePoint").substr(1)) >> inside.x() >> inside.y() >> inside.z();
+  EXPECT_GT(inside.head<2>().norm(), 0.6);
+  EXPECT_LT(inside.head<2>().norm(), 0.8);
 }
 
 TEST(LumenCase, wrongScaleIsNamed) {

@@ -82,7 +82,8 @@ void FlowPart::requireResolution() const {
 }
 
 void FlowPart::remark(const Instant& now, const std::string& text) {
-  world_.remarks.push_back(fmt::format("flow at day {:.3f}: {}", now.time / secondsPerDay, text));
+  world_.flow.remarked.add(world_.remarks, fmt::format("flow at day {:.3f}: ", now.time / secondsPerDay),
+                           text);
 }
 
 }  // namespace restenosis

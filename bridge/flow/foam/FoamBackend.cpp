@@ -24,10 +24,16 @@ namespace {
 
 /// Cells by which the wall overshoots the planes of the ends.
 constexpr double overshootCells = 2.0;
-/// Largest velocity that the inlet's profile may have on the rim, over that in the centre, without a remark.
+/// Largest velocity that the inlet's profile may have on the rim, over that well inside, without a remark.
 constexpr double rimErrorRemark = 0.02;
 /// Fewest cells at the wall across the lumen without a remark (docs/model/flow.md).
 constexpr double fewestCellsAcross = 4.0;
+
+std::string narrowness(const TriSurface& lumen, const FoamSettings& settings) {
+  return narrownessRemark(
+      lumen, {settings.wallCell(), "cells at the wall", fewestCellsAcross,
+              "a finer scene.fidelity, a higher foam.wallLevel or a smaller foam.cellSize resolves it"});
+}
 
 }  // namespace
 
@@ -41,7 +47,19 @@ FlowSolution FoamBackend::solve(const TriSurface& lumen, const FlowConditions& c
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(fmt::format("OpenFOAM case: {}", error.what()), {});
   }
-  const fs::path folder = fs::absolute(caseFolder);
+  const std::string narrow = narrowness(lumen, settings_);
+  try {
+    FlowSolution solution = solveMeasured(lumen, shape, conditions, fs::absolute(caseFolder));
+    if (!narrow.empty()) solution.remarks.push_back(narrow);
+    return solution;
+  } catch (const FlowFailed& error) {
+    if (narrow.empty()) throw;
+    throw FlowFailed(fmt::format("{}; {}", error.what(), narrow), error.log);
+  }
+}
+
+FlowSolution FoamBackend::solveMeasured(const TriSurface& lumen, const LumenCase& shape,
+                                        const FlowConditions& conditions, const fs::path& folder) {
   solved_ = folder;
   std::optional<Former> former;
   std::string reason = "there was no former mesh", details;
@@ -142,18 +160,12 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
     if (moved) takeRegions(solution.wall, surface);
-    if (std::string narrow =
-            narrownessRemark(surface, {settings_.wallCell(), "cells at the wall", fewestCellsAcross,
-                                       "a finer scene.fidelity, a higher foam.wallLevel or "
-                                       "a smaller foam.cellSize resolves it"});
-        !narrow.empty())
-      solution.remarks.push_back(std::move(narrow));
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
-      solution.remarks.push_back(fmt::format(
-          "the inlet's velocity profile misses zero on its rim by {:.2g} % of that in the centre: "
-          "the inlet's shape is far from round",
-          100.0 * lumen.profile.rimError));
+      solution.remarks.push_back(
+          fmt::format("the inlet's velocity profile misses zero on its rim by {:.2g} % of that well inside: "
+                      "the inlet's shape is far from round",
+                      100.0 * lumen.profile.rimError));
     return solution;
   } catch (const FlowFailed&) {
     throw;

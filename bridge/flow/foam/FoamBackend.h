@@ -36,6 +36,9 @@ class FoamBackend : public FlowBackend {
   std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override;
 
  private:
+  /// solve() in a lumen that has been measured.
+  FlowSolution solveMeasured(const TriSurface& lumen, const LumenCase& shape,
+                             const FlowConditions& conditions, const std::filesystem::path& folder);
   /// A case that has been solved, which another is started from.
   struct Former {
     std::filesystem::path folder;

@@ -207,24 +207,25 @@ std::vector<Vec3> LbmBackend::velocities(const std::vector<Vec3>& points) const 
 FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& conditions,
                                const std::filesystem::path& caseFolder) {
   Log log(caseFolder);
+  std::string narrow;
   try {
     requireFlow(conditions);
     requireLumen(lumen);
+    narrow = narrownessRemark(lumen, {settings_.dx, "spacings", fewestWithoutRemark,
+                                      "a finer scene.fidelity or a smaller lbm.dx resolves it"});
     FlowSolution solution;
     const auto solved = LevelSolver(lumen, conditions, settings_, stopRequested_, log, solution).solve();
     if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
     take(solution, *solved);
     log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance, solution.pressureDrop);
     judge(solution, *solved);
-    if (std::string narrow =
-            narrownessRemark(lumen, {solved->units().dx, "spacings", fewestWithoutRemark,
-                                     "a finer scene.fidelity or a smaller lbm.dx resolves it"});
-        !narrow.empty())
-      solution.remarks.push_back(std::move(narrow));
+    if (!narrow.empty()) solution.remarks.push_back(narrow);
     return solution;
   } catch (const std::exception& error) {
     log.line("failed: {}", error.what());
-    throw FlowFailed(fmt::format("lattice Boltzmann flow: {}", error.what()), log.file());
+    throw FlowFailed(
+        fmt::format("lattice Boltzmann flow: {}{}{}", error.what(), narrow.empty() ? "" : "; ", narrow),
+        log.file());
   }
 }
 

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+using NarrowedLumen = WholeProgram;
+
+std::string latticeScene(const char* dx) {
+  return with(tinyScene, "\"analytic\"", "\"lbm\"") + fmt::format("\n[lbm]\ndx = \"{}\"\n", dx);
+}
+
+/// What is asked of the lumen as the scene gives it, although deployment widens it.
+TEST_F(NarrowedLumen, OneThatIsTooNarrowFromTheFirstIsRefusedAtTheFirstSolve) {
+  const ProcessEnd end = run({"run", scene("coarse", latticeScene("60 um")), "-o", "out"});
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(
+      end.err.find("'dx' in [lbm] is 60 um: a lumen of 0.4 mm has 6.7 nodes across, at least 8 are needed"),
+      std::string::npos)
+      << end.err;
+}
+
+TEST_F(NarrowedLumen, OneThatTissueClosesIsSolvedInToTheEnd) {
+  std::string text = latticeScene("48 um");  // 8.3 nodes across
+  const auto stent = text.find("[stent]"), injury = text.find("[injury]");
+  text.erase(stent, injury - stent);
+  text = with(with(text, "[contactInhibition]\n", ""), "cellRadius", "fixedEnds = 0\ncellRadius");
+  text = with(text, "[flow]\n", "[flow]\nmeanVelocity = \"1 mm/s\"\n") +
+         "[coupling]\nschedule = \"everyStep\"\n";
+  ASSERT_EXIT_STATUS(run({"run", scene("closing", text), "-o", "out"}), 0);
+  const auto json = summary("out");
+  EXPECT_EQ(json["status"], "occluded");
+  std::size_t narrow = 0;
+  for (const std::string remark : json["remarks"])
+    narrow += remark.find("with less than 6") != std::string::npos;
+  EXPECT_EQ(narrow, 4u) << "the first three and the last";
+  const std::string last = json["remarks"].back();
+  EXPECT_NE(last.find("(the last of "), std::string::npos) << last;
+}
+
+}  // namespace
+}  // namespace restenosis
