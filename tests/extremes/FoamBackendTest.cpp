@@ -129,6 +129,14 @@ TEST(FoamBackendFaults, occlusionIsNamed) {
   EXPECT_SAYS(message, "outlet");
 }
 
+TEST(FoamBackendFaults, cellsTooLargeForTheLumenAreNamed) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  const auto message = failure(tube(65e-6, 0.5e-3), scratch / "case");
+  EXPECT_SAYS(message, "too large for so narrow a lumen");
+  EXPECT_SAYS(message, "the lumen is 130 um wide, 2.9 cells at the wall of 45 um");
+}
+
 TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const TemporaryFolder scratch;

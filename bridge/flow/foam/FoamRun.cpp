@@ -84,7 +84,7 @@ double FoamRun::checkMesh() {
     fail("checkMesh",
          fmt::format(
              "the mesh's volume of {:.5g} mm^3 is not the surface's of {:.5g} mm^3: part of the lumen is "
-             "cut off, or the surface leaks",
+             "cut off, the surface leaks, or the cells are too large for so narrow a lumen",
              volume / cubicMillimetre, lumen_.volume / cubicMillimetre));
   // A few skew faces cost accuracy beside them alone; whether the solution suffered is checked after it.
   const bool fewSkewFaces = report.skewFaces > 0 &&
