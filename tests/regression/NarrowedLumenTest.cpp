@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "OpenFoamPresent.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -9,6 +10,15 @@ using NarrowedLumen = WholeProgram;
 
 std::string latticeScene(const char* dx) {
   return with(tinyScene, "\"analytic\"", "\"lbm\"") + fmt::format("\n[lbm]\ndx = \"{}\"\n", dx);
+}
+
+/// A scene in which nothing holds tissue back from closing the lumen.
+std::string closing(std::string text) {
+  const auto stent = text.find("[stent]"), injury = text.find("[injury]");
+  text.erase(stent, injury - stent);
+  text = with(with(text, "[contactInhibition]\n", ""), "cellRadius", "fixedEnds = 0\ncellRadius");
+  return with(text, "[flow]\n", "[flow]\nmeanVelocity = \"1 mm/s\"\n") +
+         "[coupling]\nschedule = \"everyStep\"\n";
 }
 
 /// What is asked of the lumen as the scene gives it, although deployment widens it.
@@ -22,13 +32,8 @@ TEST_F(NarrowedLumen, OneThatIsTooNarrowFromTheFirstIsRefusedAtTheFirstSolve) {
 }
 
 TEST_F(NarrowedLumen, OneThatTissueClosesIsSolvedInToTheEnd) {
-  std::string text = latticeScene("48 um");  // 8.3 nodes across
-  const auto stent = text.find("[stent]"), injury = text.find("[injury]");
-  text.erase(stent, injury - stent);
-  text = with(with(text, "[contactInhibition]\n", ""), "cellRadius", "fixedEnds = 0\ncellRadius");
-  text = with(text, "[flow]\n", "[flow]\nmeanVelocity = \"1 mm/s\"\n") +
-         "[coupling]\nschedule = \"everyStep\"\n";
-  ASSERT_EXIT_STATUS(run({"run", scene("closing", text), "-o", "out"}), 0);
+  const std::string file = scene("closing", closing(latticeScene("48 um")));  // 8.3 nodes across
+  ASSERT_EXIT_STATUS(run({"run", file, "-o", "out"}), 0);
   const auto json = summary("out");
   EXPECT_EQ(json["status"], "occluded");
   std::size_t narrow = 0;
@@ -37,6 +42,15 @@ TEST_F(NarrowedLumen, OneThatTissueClosesIsSolvedInToTheEnd) {
   EXPECT_EQ(narrow, 4u) << "the first three and the last";
   const std::string last = json["remarks"].back();
   EXPECT_NE(last.find("(the last of "), std::string::npos) << last;
+}
+
+/// minimumCellsAcross is asked of the lumen before the run only.
+TEST_F(NarrowedLumen, OneThatTissueClosesIsSolvedInToTheEndByOpenFoam) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const std::string text = with(with(tinyScene, "\"analytic\"", "\"foam\""), "2 h", "6 h") +
+                           "\n[foam]\ncellSize = \"22.5 um\"\nminimumCellsAcross = 16\n";  // 17.8 across
+  ASSERT_EXIT_STATUS(run({"run", scene("closing", closing(text)), "-o", "out"}), 0);
+  EXPECT_EQ(summary("out")["status"], "occluded");
 }
 
 }  // namespace
