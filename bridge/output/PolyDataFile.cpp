@@ -7,6 +7,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "AtomicFile.h"
+#include "DeflateCompressor.h"
 #include "SecondsPerDay.h"
 
 namespace restenosis {
@@ -21,7 +22,7 @@ void writePolyData(const std::filesystem::path& file, vtkPolyData* data, double 
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
+  writer->SetCompressor(vtkNew<DeflateCompressor>());
   writer->SetCompressionLevel(1);  // coordinates hardly compress; higher levels cost three times as long
   writer->SetHeaderTypeToUInt64();
   writer->WriteToOutputStringOn();
