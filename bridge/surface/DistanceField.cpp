@@ -89,9 +89,11 @@ GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, doub
 
 GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts, double clip) {
   GridField field(g, static_cast<float>(clip));
+  const std::vector<StrutDistance> distances(struts.begin(), struts.end());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < g.nz; ++k) {
-    for (const StrutSegment& s : struts) {
+    for (std::size_t n = 0; n < struts.size(); ++n) {
+      const StrutSegment& s = struts[n];
       // No point of a segment is farther from its centreline than this.
       const double reach = clip + 0.5 * std::hypot(s.width, s.thickness) + s.overlap;
       if (g.z(k) < std::min(s.a.z(), s.b.z()) - reach || g.z(k) > std::max(s.a.z(), s.b.z()) + reach)
@@ -102,7 +104,7 @@ GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts
       for (int j = rows.first; j <= rows.last; ++j) {
         float* row = field.values.data() + g.row(j, k);
         for (int i = nodes.first; i <= nodes.last; ++i)
-          row[i] = std::min(row[i], static_cast<float>(signedDistance(s, g.node(i, j, k))));
+          row[i] = std::min(row[i], static_cast<float>(distances[n](g.node(i, j, k))));
       }
     }
   }

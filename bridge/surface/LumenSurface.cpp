@@ -101,6 +101,7 @@ TriSurface extractSurface(const LumenField& field, const LumenSurfaceSettings& s
                                                : SurfaceRegion::wall);
   }
   relaxSurface(surface, field.lumen(), settings.relaxations);
+#pragma omp parallel for schedule(static)
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (surface.region[t] == SurfaceRegion::wall && field.isStrut(surface.centre(t)))
       surface.region[t] = SurfaceRegion::strut;

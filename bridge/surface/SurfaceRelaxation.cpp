@@ -1,6 +1,7 @@
 #include "SurfaceRelaxation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 
 namespace restenosis {
@@ -101,13 +102,20 @@ void relaxSurface(TriSurface& s, const GridField& field, int passes) {
     while (again) {
       again = false;
       std::fill(undo.begin(), undo.end(), 0);
-      for (const auto& t : s.triangles) {
+#pragma omp parallel for schedule(static) reduction(|| : again)
+      for (std::size_t n = 0; n < s.triangles.size(); ++n) {
+        const auto& t = s.triangles[n];
         const Vec3 before = (s.vertices[t[1]] - s.vertices[t[0]]).cross(s.vertices[t[2]] - s.vertices[t[0]]);
         const Vec3 after[3] = {moved[t[0]], moved[t[1]], moved[t[2]]};
-        if (spoiled(before, after))
-          for (const auto v : t)
-            if (moved[v] != s.vertices[v]) undo[v] = 1, again = true;
+        if (!spoiled(before, after)) continue;
+        for (const auto v : t) {
+          if (moved[v] == s.vertices[v]) continue;
+          std::atomic_ref(undo[v]).store(1, std::memory_order_relaxed);
+          again = true;
+        }
       }
+      if (!again) break;
+#pragma omp parallel for schedule(static)
       for (std::size_t v = 0; v < undo.size(); ++v)
         if (undo[v]) moved[v] = s.vertices[v];
     }

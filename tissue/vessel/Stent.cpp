@@ -18,24 +18,39 @@ double ellipseDistance(double x, double y, double p, double q) {
 
 }  // namespace
 
-double signedDistance(const StrutSegment& segment, const Vec3& point) {
-  const double length = segment.length(), halfWidth = segment.width / 2,
-               halfThickness = segment.thickness / 2;
-  const Vec3 offset = point - 0.5 * (segment.a + segment.b);
-  if (length == 0 && segment.round) return offset.norm() - halfWidth;
+StrutDistance::StrutDistance(const StrutSegment& segment)
+    : middle_(0.5 * (segment.a + segment.b)),
+      radial_(segment.radial),
+      halfWidth_(segment.width / 2),
+      halfThickness_(segment.thickness / 2),
+      round_(segment.round),
+      openA_(segment.openA),
+      openB_(segment.openB) {
+  const double length = segment.length();
+  sphere_ = length == 0 && round_;
+  halfLength_ = length / 2 + segment.overlap;
+  along_ = length > 0 ? Vec3((segment.b - segment.a) / length) : Vec3(Vec3::UnitZ());
+  across_ = along_.cross(radial_);
+}
 
-  const Vec3 along = length > 0 ? Vec3((segment.b - segment.a) / length) : Vec3(Vec3::UnitZ());
-  const Vec3 across = along.cross(segment.radial);
-  const double place = offset.dot(along);
-  double s = std::abs(place) - (length / 2 + segment.overlap);
-  if (s < 0 && !(place > 0 ? segment.openB : segment.openA)) s = -std::numeric_limits<double>::infinity();
-  const double w = std::abs(offset.dot(across)), h = std::abs(offset.dot(segment.radial));
-  if (segment.round) {
-    const double section = ellipseDistance(w, h, halfWidth, halfThickness);
+double StrutDistance::operator()(const Vec3& point) const {
+  const Vec3 offset = point - middle_;
+  if (sphere_) return offset.norm() - halfWidth_;
+
+  const double place = offset.dot(along_);
+  double s = std::abs(place) - halfLength_;
+  if (s < 0 && !(place > 0 ? openB_ : openA_)) s = -std::numeric_limits<double>::infinity();
+  const double w = std::abs(offset.dot(across_)), h = std::abs(offset.dot(radial_));
+  if (round_) {
+    const double section = ellipseDistance(w, h, halfWidth_, halfThickness_);
     return std::hypot(std::max(s, 0.0), std::max(section, 0.0)) + std::min(std::max(s, section), 0.0);
   }
-  const Vec3 q(s, w - halfWidth, h - halfThickness);
+  const Vec3 q(s, w - halfWidth_, h - halfThickness_);
   return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+}
+
+double signedDistance(const StrutSegment& segment, const Vec3& point) {
+  return StrutDistance(segment)(point);
 }
 
 Vec3 Stent::centre(std::size_t n) const {

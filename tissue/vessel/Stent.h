@@ -23,10 +23,22 @@ struct StrutSegment {
   double length() const { return (b - a).norm(); }
 };
 
-/// Signed distance from a point to a strut segment [m], negative inside. Exact for boxes and for circular
+/// Signed distance from points to a strut segment [m], negative inside. Exact for boxes and for circular
 /// sections; for elliptic sections right to first order near the surface. Inside, an end where the strut goes
 /// on does not count, so that the least distance over a chain is that of the chain, without dips at its
 /// joints.
+class StrutDistance {
+ public:
+  explicit StrutDistance(const StrutSegment& segment);
+  double operator()(const Vec3& point) const;
+
+ private:
+  Vec3 middle_, along_, across_, radial_;
+  double halfLength_, halfWidth_, halfThickness_;  ///< half the length with its overlap
+  bool sphere_, round_, openA_, openB_;
+};
+
+/// The same for a single point.
 double signedDistance(const StrutSegment& segment, const Vec3& point);
 
 /// An obstacle sphere of a strut, in the coordinates of its segment, so that it follows the segment.
