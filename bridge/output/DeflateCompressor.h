@@ -6,8 +6,8 @@ struct libdeflate_compressor;
 
 namespace restenosis {
 
-/// What vtkZLibDataCompressor writes, in less than half the time: the same format (RFC 1950) by libdeflate.
-/// Goes by its base's name, which files note for those who read them.
+/// Writes the format of vtkZLibDataCompressor (RFC 1950) by libdeflate, which is faster. Goes by its base's
+/// name, which files note for those who read them.
 class DeflateCompressor : public vtkZLibDataCompressor {
  public:
   static DeflateCompressor* New();

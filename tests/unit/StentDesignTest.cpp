@@ -67,7 +67,7 @@ TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
     double nearest = 1;
     const std::size_t from = segment > 3 ? segment - 3 : 0;
     for (std::size_t m = from; m < std::min(segment + 4, stent.segments.size()); ++m) {
-      nearest = std::min(nearest, signedDistance(stent.segments[m], centre));
+      nearest = std::min(nearest, StrutDistance(stent.segments[m])(centre));
     }
     ASSERT_LT(nearest, -stent.spheres[n].radius + 2.1e-6);
   }
@@ -93,7 +93,7 @@ TEST_P(EveryDesign, ChainsHaveNoNotches) {
   const auto segments = stentOfDesign(parameters, vessel).segments;
   const auto distance = [&](const Vec3& point) {
     double nearest = 1;
-    for (const StrutSegment& segment : segments) nearest = std::min(nearest, signedDistance(segment, point));
+    for (const StrutSegment& segment : segments) nearest = std::min(nearest, StrutDistance(segment)(point));
     return nearest;
   };
   for (std::size_t n = 0; n + 1 < segments.size(); n += 7) {

@@ -18,32 +18,32 @@ StrutSegment box(bool round = false) {
 TEST(Stent, DistanceToABoxIsExact) {
   const StrutSegment segment = box();
   const Vec3 middle(1e-3, 0, 100e-6);
-  EXPECT_NEAR(signedDistance(segment, middle), -30e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(0, 50e-6, 0)), 10e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(0, 0, 150e-6)), 50e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(33e-6, 44e-6, 100e-6)), 5e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(32e-6, 42e-6, 101e-6)), 3e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle), -30e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(0, 50e-6, 0)), 10e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(0, 0, 150e-6)), 50e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(33e-6, 44e-6, 100e-6)), 5e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(32e-6, 42e-6, 101e-6)), 3e-6, 1e-18);
 }
 
 TEST(Stent, DistanceToARoundStrut) {
   StrutSegment segment = box(true);
   segment.width = segment.thickness;
   const Vec3 middle(1e-3, 0, 100e-6);
-  EXPECT_NEAR(signedDistance(segment, middle), -30e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(30e-6, 40e-6, 0)), 20e-6, 1e-18);
-  EXPECT_NEAR(signedDistance(segment, middle + Vec3(33e-6, 0, 104e-6)), 5e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle), -30e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(30e-6, 40e-6, 0)), 20e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(33e-6, 0, 104e-6)), 5e-6, 1e-18);
   const StrutSegment elliptic = box(true);
-  EXPECT_NEAR(signedDistance(elliptic, middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
-  EXPECT_NEAR(signedDistance(elliptic, middle + Vec3(0, 40e-6, 0)), 0, 1e-18);
-  EXPECT_LT(signedDistance(elliptic, middle), 0);
+  EXPECT_NEAR(StrutDistance(elliptic)(middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
+  EXPECT_NEAR(StrutDistance(elliptic)(middle + Vec3(0, 40e-6, 0)), 0, 1e-18);
+  EXPECT_LT(StrutDistance(elliptic)(middle), 0);
 }
 
 TEST(Stent, ARoundPointIsASphere) {
   StrutSegment segment = box(true);
   segment.b = segment.a;
   segment.width = segment.thickness = 20e-6;
-  EXPECT_NEAR(signedDistance(segment, segment.a + Vec3(0, 9e-6, 12e-6)), 5e-6, 1e-18);
+  EXPECT_NEAR(StrutDistance(segment)(segment.a + Vec3(0, 9e-6, 12e-6)), 5e-6, 1e-18);
 }
 
 TEST(Stent, MovesAlongTheRadiusWithItsSpheres) {

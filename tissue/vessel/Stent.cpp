@@ -49,10 +49,6 @@ double StrutDistance::operator()(const Vec3& point) const {
   return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
 }
 
-double signedDistance(const StrutSegment& segment, const Vec3& point) {
-  return StrutDistance(segment)(point);
-}
-
 Vec3 Stent::centre(std::size_t n) const {
   const StrutSphere& sphere = spheres[n];
   const StrutSegment& segment = segments[sphere.segment];

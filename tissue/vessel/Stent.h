@@ -38,9 +38,6 @@ class StrutDistance {
   bool sphere_, round_, openA_, openB_;
 };
 
-/// The same for a single point.
-double signedDistance(const StrutSegment& segment, const Vec3& point);
-
 /// An obstacle sphere of a strut, in the coordinates of its segment, so that it follows the segment.
 struct StrutSphere {
   std::size_t segment;
