@@ -4,9 +4,11 @@
 #include <fmt/ostream.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <numeric>
 #include <ostream>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,11 +32,14 @@ struct Workload {
     wall = packWall(vessel, mechanics, 1);
     range = ForceField(mechanics).range(Relaxation::skinOverRadius * vessel.cellRadius);
     neighbours.build(wall.agents, range);
-    pairs.build(neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0);
-    fixed = packSpheres(wall.agents, pairs.nobody(), scale);
-    exact = packSpheres(wall.agents, pairs.nobody());
+    const Index nobody = wall.agents.size();
+    fixed = packSpheres(wall.agents, nobody, scale);
+    exact = packSpheres(wall.agents, nobody);
     all.resize(wall.agents.size());
     std::iota(all.begin(), all.end(), Index{0});
+    const PairSource source{neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0};
+    for (std::size_t begin = 0; begin < all.size(); begin += PairRows::most)
+      rows.emplace_back().layOut(source, piece(begin), nobody);
     for (const Index i : all) {
       for (const Index j : neighbours.of(i)) {
         const double sum = wall.agents.radius[i] + wall.agents.radius[j];
@@ -45,16 +50,21 @@ struct Workload {
     bonds = 2.0 * static_cast<double>(wall.bonds.bondCount());
   }
   double agents() const { return static_cast<double>(all.size()); }
+  std::span<const Index> piece(std::size_t begin) const {
+    return std::span(all).subspan(begin, std::min(PairRows::most, all.size() - begin));
+  }
   /// What one pass over all agents reads and writes at least, each array once [B].
   double bytes() const {
-    return agents() * (sizeof(FixedSphere) + sizeof(AgentLoad)) + static_cast<double>(pairs.bytes());
+    std::size_t pairs = 0;
+    for (const PairRows& piece : rows) pairs += piece.bytes();
+    return agents() * (sizeof(FixedSphere) + sizeof(AgentLoad)) + static_cast<double>(pairs);
   }
 
   MechanicsParameters mechanics;
   Wall wall;
   NeighbourRange range;
   NeighbourList neighbours;
-  PairTable pairs;
+  std::vector<PairRows> rows;  ///< of each piece of PairRows::most agents
   FixedScale scale{VesselParameters().cellRadius};
   std::vector<FixedSphere> fixed;
   std::vector<Sphere> exact;
@@ -73,10 +83,9 @@ struct Rates {
 template <class Spheres>
 double passRate(const Workload& work, const Spheres& spheres, std::vector<AgentLoad>& load) {
   const ForceField field(work.mechanics);
-  const std::span<const Index> all(work.all);
   return 1 / secondsPerCall([&] {
-           forEachPiece(all.size(), [&](std::size_t begin, std::size_t end) {
-             field.evaluate(spheres, work.pairs, all.subspan(begin, end - begin),
+           forEachPiece(work.all.size(), [&](std::size_t begin, std::size_t end) {
+             field.evaluate(spheres, work.rows[begin / PairRows::most], work.piece(begin),
                             std::span(load).subspan(begin, end - begin));
            });
          });

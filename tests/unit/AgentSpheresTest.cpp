@@ -27,7 +27,7 @@ TEST(AgentSpheres, InMixedPrecisionRemembersWhereAnAgentWas) {
   Two two;
   AgentSpheres spheres = two.spheres(true);
   spheres.choosePrecision();
-  spheres.packAll(4);
+  spheres.packAll();
   ASSERT_TRUE(spheres.mixed());
 
   const Vec3 there(2.5 * r, 0, 0);
@@ -45,7 +45,7 @@ TEST(AgentSpheres, InDoublePrecisionHasOneCopy) {
   const Two two;
   AgentSpheres spheres = two.spheres(false);
   spheres.choosePrecision();
-  spheres.packAll(4);
+  spheres.packAll();
   EXPECT_FALSE(spheres.mixed());
   spheres.moveTo(1, Vec3(2.5 * r, 0, 0), r);
   EXPECT_EQ(spheres.remembered(1).x, 2.5 * r);
@@ -70,7 +70,7 @@ TEST(AgentSpheres, IsOutgrownByAnAgentThatBecomesTooLarge) {
   Two two;
   AgentSpheres spheres = two.spheres(true);
   spheres.choosePrecision();
-  spheres.packAll(4);
+  spheres.packAll();
   two.agents.radius[0] = FixedScale(r).reach() / 2;
   EXPECT_FALSE(spheres.fit(std::array<Index, 2>{0, 1}));
   EXPECT_TRUE(spheres.fit(std::array<Index, 1>{1}));

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "Constants.h"
 #include "ContactLaws.h"
@@ -39,6 +42,20 @@ struct Heap {
     }
   }
 };
+
+/// The loads of these agents as evaluate(rows, piece, loads) has them, piece after piece.
+template <class Evaluate>
+std::vector<AgentLoad> loadsInPieces(const PairSource& source, std::span<const Index> agents,
+                                     const Evaluate& evaluate) {
+  std::vector<AgentLoad> loads(agents.size());
+  PairRows rows;
+  for (std::size_t begin = 0; begin < agents.size(); begin += PairRows::most) {
+    const auto piece = agents.subspan(begin, std::min(PairRows::most, agents.size() - begin));
+    rows.layOut(source, piece, source.neighbours.size());
+    evaluate(rows, piece, std::span(loads).subspan(begin, piece.size()));
+  }
+  return loads;
+}
 
 MechanicsParameters ofLaw(std::string_view law) {
   MechanicsParameters p;
@@ -100,17 +117,17 @@ TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
   for (const double skin : {0.0, 0.1 * r, r, 5 * r}) {
     NeighbourList list;
     list.build(heap.agents, field.range(skin));
-    PairTable pairs;
-    pairs.build(list, heap.bonds, heap.agents.flags, true);
-    const auto exact = packSpheres(heap.agents, pairs.nobody());
-    const auto fixed = packSpheres(heap.agents, pairs.nobody(), scale);
+    const PairSource source{list, heap.bonds, heap.agents.flags, true};
+    const auto exact = packSpheres(heap.agents, heap.agents.size());
+    const auto fixed = packSpheres(heap.agents, heap.agents.size(), scale);
     for (const bool mixed : {false, true}) {
-      std::vector<AgentLoad> loads(heap.agents.size());
-      if (mixed) {
-        field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, all, loads);
-      } else {
-        field.evaluate(ExactSpheres(exact), pairs, all, loads);
-      }
+      const auto loads = loadsInPieces(source, all, [&](const auto& rows, const auto& piece, auto part) {
+        if (mixed) {
+          field.evaluate(FixedSpheres(fixed, scale.unit()), rows, piece, part);
+        } else {
+          field.evaluate(ExactSpheres(exact), rows, piece, part);
+        }
+      });
       if (skin == 0) expected[mixed] = loads;
       for (const Index i : all) {
         ASSERT_EQ(loads[i].force(), expected[mixed][i].force());
@@ -130,16 +147,18 @@ TEST(ForceField, GivesTheSameBitsForEightAndForSixteenLanes) {
   for (Index i = 0; i < heap.agents.size(); i += 9) heap.agents.set(i, AgentFlag::daughter, true);
   NeighbourList list;
   list.build(heap.agents, field.range(0.4 * r));
-  PairTable pairs;
-  pairs.build(list, heap.bonds, heap.agents.flags, true);
+  const PairSource source{list, heap.bonds, heap.agents.flags, true};
   const FixedScale scale(r);
-  const auto fixed = packSpheres(heap.agents, pairs.nobody(), scale);
+  const auto fixed = packSpheres(heap.agents, heap.agents.size(), scale);
   std::vector<Index> all(heap.agents.size());
   std::iota(all.begin(), all.end(), Index{0});
-  std::vector<AgentLoad> eight(all.size()), sixteen(all.size());
-  const ForceInput in{pairs, parameters};
-  evaluatePairs<HertzNeoHookeanContact>(in, FixedSpheresOf<8>(fixed, scale.unit()), all, eight);
-  evaluatePairs<HertzNeoHookeanContact>(in, FixedSpheresOf<16>(fixed, scale.unit()), all, sixteen);
+  const auto loadsBy = [&](const auto& spheres) {
+    return loadsInPieces(source, all, [&](const auto& rows, const auto& piece, auto part) {
+      evaluatePairs<HertzNeoHookeanContact>(parameters, spheres, rows, piece, part);
+    });
+  };
+  const auto eight = loadsBy(FixedSpheresOf<8>(fixed, scale.unit()));
+  const auto sixteen = loadsBy(FixedSpheresOf<16>(fixed, scale.unit()));
   for (const Index i : all) {
     ASSERT_EQ(eight[i].force(), sixteen[i].force());
     ASSERT_EQ(eight[i].pressure, sixteen[i].pressure);
@@ -153,13 +172,12 @@ std::vector<AgentLoad> mixedLoads(const ForceField& field, const AgentStore& age
                                   std::span<const Index> subset) {
   NeighbourList list;
   list.build(agents, field.range(0.4 * r));
-  PairTable pairs;
-  pairs.build(list, bonds, agents.flags, true);
   const FixedScale scale(r);
-  const auto fixed = packSpheres(agents, pairs.nobody(), scale);
-  std::vector<AgentLoad> loads(subset.size());
-  field.evaluate(FixedSpheres(fixed, scale.unit()), pairs, subset, loads);
-  return loads;
+  const auto fixed = packSpheres(agents, agents.size(), scale);
+  const PairSource source{list, bonds, agents.flags, true};
+  return loadsInPieces(source, subset, [&](const auto& rows, const auto& piece, auto part) {
+    field.evaluate(FixedSpheres(fixed, scale.unit()), rows, piece, part);
+  });
 }
 
 TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {

@@ -7,22 +7,13 @@
 namespace restenosis {
 namespace {
 
-/// Transposes a table of `lanes` rows of eight that are not next to each other in memory.
-template <int lanes>
-void expectColumns() {
-  std::array<std::array<float, 11>, lanes> table;
-  for (int k = 0; k < lanes; ++k)
-    for (int n = 0; n < 11; ++n) table[k][n] = static_cast<float>(100 * k + n);
-  std::array<Numbers<float, lanes>, 8> columns;
-  transpose<float>([&](int k) { return table[k].data(); }, columns);
-  for (int n = 0; n < 8; ++n)
-    for (int k = 0; k < lanes; ++k) EXPECT_EQ(columns[n][k], table[k][n]) << "row " << k << ", column " << n;
-}
-
-TEST(Lanes, TransposeTablesOfAnyHeight) {
-  expectColumns<4>();
-  expectColumns<8>();
-  expectColumns<16>();
+TEST(Lanes, AreReadFromNumbersSideBySide) {
+  std::array<float, 9> stored;
+  for (int k = 0; k < 9; ++k) stored[k] = 0.5F + static_cast<float>(k);
+  const auto eight = Numbers<float, 8>::from(stored.data() + 1);
+  for (int k = 0; k < 8; ++k) EXPECT_EQ(eight[k], stored[k + 1]);
+  const auto four = Numbers<double, 4>::from(stored.data() + 2);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(four[k], stored[k + 2]);
 }
 
 TEST(Lanes, JoinVectorsOfEightInTheirOrder) {

@@ -27,7 +27,7 @@ struct Row {
     bonds.connect(0, count - 1, r);
     neighbours.build(agents, range);
     spheres.choosePrecision();
-    spheres.packAll(count);
+    spheres.packAll();
     unsure.start(count);
     unsure.know();
   }

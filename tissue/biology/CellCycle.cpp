@@ -91,15 +91,19 @@ std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report, d
   std::vector<std::uint8_t> passed(agents.size(), 0);
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const auto i = static_cast<Index>(k);
-    if (agents.kind[i] == AgentKind::smc && !agents.has(i, fixed)) passed[i] = advanceCell(agents, i, time);
+    if (agents.kind[i] != AgentKind::smc || agents.has(i, fixed)) return;
+    const double radius = agents.radius[i];
+    passed[i] = advanceCell(agents, i, time);
+    if (agents.radius[i] != radius) passed[i] |= static_cast<std::uint8_t>(Passage::grew);
   });
 
   std::vector<Index> dividing;
-  for (Index i = 0; i < agents.size(); ++i) {
+  for (const Index i : agentsThat(agents.size(), [&](Index i) { return passed[i] != 0; })) {
     const auto did = [&](Passage p) { return (passed[i] & static_cast<std::uint8_t>(p)) != 0; };
     report.enteredG1 += did(Passage::enteredG1);
     report.arrested += did(Passage::arrested);
     report.enteredSg2m += did(Passage::enteredSg2m);
+    report.anyGrew |= did(Passage::grew);
     if (did(Passage::divides)) dividing.push_back(i);
   }
   std::ranges::sort(dividing, {}, [&](Index i) { return agents.id[i]; });

@@ -15,6 +15,7 @@ struct CycleReport {
   Index arrested = 0;     ///< sent back to rest from G1
   Index enteredSg2m = 0;  ///< finished growing
   Index divisions = 0;
+  bool anyGrew = false;  ///< whether a radius is another than before
 };
 
 /// The cell cycle of the free SMC (model 5): G0 -> G1 (growth) -> S/G2/M -> division.
@@ -56,7 +57,7 @@ class CellCycle {
   double drawRecruitment(AgentId id) const;
 
  private:
-  enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8 };
+  enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8, grew = 16 };
 
   bool mayCycle(const AgentStore& agents, Index i) const;
   std::uint8_t advanceCell(AgentStore& agents, Index i, double time) const;

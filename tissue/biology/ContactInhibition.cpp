@@ -36,18 +36,14 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
   report.disturbances = static_cast<Index>(places.size());
   const std::span<std::uint8_t> marks = reference_.marks();
 
-  std::vector<std::uint8_t> due(agents.size(), 0);
+  forEachInChunks(agents.size(), [&](std::size_t i) {
+    if (!couldUse(agents, static_cast<Index>(i))) marks[i] = 0;
+  });
+  const auto fresh = agentsThat(agents.size(), [&](Index i) { return marks[i] == 0 && couldUse(agents, i); });
   std::vector<Index> cells;
-  bool anyNew = false;
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (!couldUse(agents, i)) {
-      marks[i] = 0;
-    } else if (marks[i] == 0) {
-      due[i] = 1;
-      anyNew = true;
-    }
-  }
-  if (!places.empty() || anyNew) {
+  if (!places.empty() || !fresh.empty()) {
+    std::vector<std::uint8_t> due(agents.size(), 0);
+    for (const Index i : fresh) due[i] = 1;
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
     forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -59,9 +55,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
         });
       }
     });
-    for (Index i = 0; i < agents.size(); ++i) {
-      if (due[i] && couldUse(agents, i)) cells.push_back(i);
-    }
+    cells = agentsThat(agents.size(), [&](Index i) { return due[i] && couldUse(agents, i); });
     forEachHeavyPiece(cells.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<ContactNeighbour> scratch;
       for (std::size_t k = begin; k < end; ++k) marks[cells[k]] = judge(neighbours, cells[k], scratch);
@@ -69,10 +63,11 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
   }
   report.evaluated = static_cast<Index>(cells.size());
 
-  for (Index i = 0; i < agents.size(); ++i) {
+  forEachInChunks(agents.size(), [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
     agents.set(i, inhibited, marks[i] & isInhibited);
     agents.set(i, exposed, marks[i] & isExposed);
-  }
+  });
   return report;
 }
 

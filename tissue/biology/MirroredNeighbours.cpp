@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "Chunks.h"
+
 namespace restenosis {
 
 namespace {
@@ -20,7 +22,7 @@ double cellSize(const AgentShapes& agents, double range) {
 
 std::vector<Vec3> positions(const AgentShapes& agents) {
   std::vector<Vec3> points(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) points[i] = agents.position(i);
+  forEachInChunks(agents.size(), [&](std::size_t i) { points[i] = agents.position(static_cast<Index>(i)); });
   return points;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "Chunks.h"
 #include "Room.h"
 
 namespace restenosis {
@@ -37,6 +38,13 @@ void ReferenceConfiguration::copy(const AgentStore& agents, Index i) {
   x_[i] = agents.x[i], y_[i] = agents.y[i], z_[i] = agents.z[i];
   radius_[i] = agents.radius[i];
   kind_[i] = agents.kind[i];
+}
+
+bool ReferenceConfiguration::differs(const AgentStore& agents, Index i, double tolerance) const {
+  const double allowed = tolerance * radius_[i];
+  return radius_[i] == 0 || kind_[i] != agents.kind[i] ||
+         !(std::abs(agents.radius[i] - radius_[i]) <= allowed) ||
+         !((agents.position(i) - shapes().position(i)).squaredNorm() <= allowed * allowed);
 }
 
 std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore& agents) {
@@ -73,14 +81,9 @@ std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore
 std::vector<DisturbedPlace> ReferenceConfiguration::follow(const AgentStore& agents, double tolerance) {
   std::vector<DisturbedPlace> places;
   if (!inOrderOf(agents)) places = reorderLike(agents);
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (i == size()) appendNew(agents.id[i]);
-    const double allowed = tolerance * radius_[i];
+  while (size() < agents.size()) appendNew(agents.id[size()]);
+  for (const Index i : agentsThat(size(), [&](Index i) { return differs(agents, i, tolerance); })) {
     const bool isNew = radius_[i] == 0;
-    if (!isNew && kind_[i] == agents.kind[i] && std::abs(agents.radius[i] - radius_[i]) <= allowed &&
-        (agents.position(i) - shapes().position(i)).squaredNorm() <= allowed * allowed) {
-      continue;
-    }
     const DisturbedPlace before = placeOf(i);
     copy(agents, i);
     const DisturbedPlace after = placeOf(i);

@@ -42,6 +42,8 @@ class ReferenceConfiguration {
   DisturbedPlace placeOf(Index i) const { return {shapes().position(i), radius_[i]}; }
   /// Appends a stand-in for an agent that is yet to be copied; a radius of none differs from every agent's.
   void appendNew(AgentId id);
+  /// Whether agent `i` is new, of another kind, or farther from its copy than it may be (follow()).
+  bool differs(const AgentStore& agents, Index i, double tolerance) const;
   void copy(const AgentStore& agents, Index i);
 
   std::vector<AgentId> id_;

@@ -37,6 +37,8 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
                                           agents.id[bad.agent], agents.radius[bad.agent]));
 }
 
+static_assert(PairRows::most == chunkSize);
+
 // Of what is added to a leash and of what is taken off it: single precision errs by less.
 constexpr double shorter = 1 - 1e-5, longer = 1 + 1e-5;
 
@@ -66,7 +68,7 @@ void AgentForces::start() {
   spheres_.choosePrecision();
   project();
   neighbours_.update(agents_, range_);
-  buildPairs();
+  spheres_.packAll();
 }
 
 void AgentForces::refresh() {
@@ -88,12 +90,11 @@ void AgentForces::refresh() {
   if (!spheres_.fit(others)) return start();
 
   const NeighbourList::Change change = neighbours_.update(agents_, range_);
-  if (change.all || count > pairs_.nobody()) {
-    buildPairs();
-    if (change.all) unsure_.mark();
+  if (change.all) unsure_.mark();
+  if (count > spheres_.nobody()) {
+    spheres_.packAll();
   } else {
     for (const Index i : others) spheres_.copy(i);
-    pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
   }
   unsure_.markAround(others);
   unsure_.stopMoving();
@@ -103,9 +104,36 @@ bool AgentForces::isFree(Index i) const {
   return !agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
 }
 
-void AgentForces::buildPairs() {
-  pairs_.build(neighbours_, bonds_, agents_.flags, marksDaughters());
-  spheres_.packAll(pairs_.nobody());
+PairSource AgentForces::pairs() const {
+  return {neighbours_, bonds_, agents_.flags, range_.daughterFactor > range_.factor};
+}
+
+void AgentForces::layOut(MovingAgents& moving) const {
+  const std::span<const Index> agents(moving.agents);
+  moving.rows.resize((agents.size() + PairRows::most - 1) / PairRows::most);
+  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
+    moving.rows[begin / PairRows::most].layOut(pairs(), agents.subspan(begin, end - begin),
+                                               spheres_.nobody());
+  });
+  moving.areRowsOf = true;
+}
+
+void AgentForces::layOutAnew(MovingAgents& moving, std::span<const Index> changed) const {
+  if (!moving.areRowsOf) return;
+  const PairSource source = pairs();
+  forEachPiece(moving.size(), [&](std::size_t begin, std::size_t end) {
+    const auto agents = std::span<const Index>(moving.agents).subspan(begin, end - begin);
+    PairRows& rows = moving.rows[begin / PairRows::most];
+    auto agent = agents.begin();
+    for (auto i = std::ranges::lower_bound(changed, agents.front());
+         i != changed.end() && *i <= agents.back(); ++i) {
+      agent = std::lower_bound(agent, agents.end(), *i);
+      if (*agent != *i) continue;
+      if (rows.replace(source, static_cast<std::size_t>(agent - agents.begin()), *i)) continue;
+      rows.layOut(source, agents, spheres_.nobody());
+      break;
+    }
+  });
 }
 
 void AgentForces::project() {
@@ -162,11 +190,11 @@ void AgentForces::updateLists(MovingAgents& moving, std::vector<Index>& relisted
   if (!neighbours_.worthLookingUp(moved.size())) placeAll(moving);  // it is built anew from all
   const NeighbourList::Change change = neighbours_.update(agents_, moved);
   if (change.all) {
-    buildPairs();
+    moving.areRowsOf = false;
     unsure_.mark();
     relisted = free_;
   } else {
-    pairs_.update(neighbours_, bonds_, agents_.flags, marksDaughters(), change.agents);
+    layOutAnew(moving, change.agents);
     unsure_.mark(change.agents);
     relisted.insert(relisted.end(), change.agents.begin(), change.agents.end());
   }
@@ -184,19 +212,27 @@ AgentForce AgentForces::forceOn(const AgentLoad& load, AgentKind kind, bool daug
   return on;
 }
 
-template <class Spheres, class Set, class Seen>
-void AgentForces::evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set,
+template <class Spheres>
+void AgentForces::evaluateOnce(const Spheres& spheres, std::span<const Index> piece,
+                               std::span<AgentLoad> loads) const {
+  thread_local PairRows rows;
+  rows.layOut(pairs(), piece, spheres_.nobody());
+  field_.evaluate(spheres, rows, piece, loads);
+}
+
+template <class LoadsOf, class Set, class Seen>
+void AgentForces::evaluate(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set,
                            const Seen& look) {
-  const auto bad = reducePieces<Any>(subset.size(), [&](std::size_t begin, std::size_t end, Any& part) {
+  const auto bad = reducePieces<Any>(agents.size(), [&](std::size_t begin, std::size_t end, Any& part) {
     std::array<AgentLoad, chunkSize> loads;
-    field_.evaluate(spheres, pairs_, subset.subspan(begin, end - begin), loads);
+    loadsOf(begin, end, loads);
     for (std::size_t k = begin; k < end; ++k) {
       const AgentForce& on = set(k, loads[k - begin]);
-      if (!part.found && !std::isfinite(on.restlessness)) part = {true, subset[k], on.force};
+      if (!part.found && !std::isfinite(on.restlessness)) part = {true, agents[k], on.force};
     }
     look(begin, end);
   });
-  evaluations_ += subset.size();
+  evaluations_ += agents.size();
   if (!bad.found) return;
   const Vec3& f = bad.force;
   throw std::runtime_error(fmt::format(
@@ -214,15 +250,25 @@ void AgentForces::evaluateResting(const Spheres& spheres, std::span<const Index>
     take(k, i, on);
     return on;
   };
-  evaluate(spheres, subset, set, [](std::size_t, std::size_t) {});
+  const auto loadsOf = [&](std::size_t begin, std::size_t end, std::span<AgentLoad> loads) {
+    evaluateOnce(spheres, subset.subspan(begin, end - begin), loads);
+  };
+  evaluate(subset, loadsOf, set, [](std::size_t, std::size_t) {});
 }
 
 void AgentForces::evaluate(MovingAgents& moving, const Look& look) {
+  if (!moving.areRowsOf) layOut(moving);
   const auto set = [&](std::size_t k, const AgentLoad& load) -> const AgentForce& {
     AgentMotion& agent = moving.motion[k];
     return agent.now = forceOn(load, agent.kind, agent.daughter, agent.radius, agent.position);
   };
-  spheres_.withPresent([&](const auto& spheres) { evaluate(spheres, moving.agents, set, look); });
+  spheres_.withPresent([&](const auto& spheres) {
+    const auto loadsOf = [&](std::size_t begin, std::size_t end, std::span<AgentLoad> loads) {
+      const auto piece = std::span<const Index>(moving.agents).subspan(begin, end - begin);
+      field_.evaluate(spheres, moving.rows[begin / PairRows::most], piece, loads);
+    };
+    evaluate(moving.agents, loadsOf, set, look);
+  });
 }
 
 void AgentForces::evaluate(std::span<const Index> resting, const Take& take) {
@@ -246,7 +292,7 @@ void AgentForces::pressHeld() {
   });
   forEachPiece(held.size(), [&](std::size_t begin, std::size_t end) {
     std::array<AgentLoad, chunkSize> loads;
-    field_.evaluate(spheres_.exact(), pairs_, std::span(held).subspan(begin, end - begin), loads);
+    evaluateOnce(spheres_.exact(), std::span<const Index>(held).subspan(begin, end - begin), loads);
     for (std::size_t k = begin; k < end; ++k) agents_.pressure[held[k]] = loads[k - begin].pressure;
   });
   evaluations_ += held.size();

@@ -13,6 +13,7 @@
 #include "Constraint.h"
 #include "ForceField.h"
 #include "NeighbourList.h"
+#include "PairRows.h"
 #include "UnsureForces.h"
 
 namespace restenosis {
@@ -21,11 +22,14 @@ namespace restenosis {
 struct MovingAgents {
   std::vector<Index> agents;  ///< in ascending order
   std::vector<AgentMotion> motion;
+  std::vector<PairRows> rows;  ///< of each piece of PairRows::most agents; AgentForces' own
+  bool areRowsOf = false;      ///< whether `rows` are those of these agents: to be cleared when others move
+
   std::size_t size() const { return agents.size(); }
 };
 
 /// The forces on agents of which few move, and whose may have changed since they were computed. Positions are
-/// changed through it, so that its copies of them, the neighbour list and the table of pairs follow; the
+/// changed through it, so that its copies of them, the neighbour list and the rows of pairs follow; the
 /// store learns of them by place() and whenever all forces that may have changed are asked for.
 ///
 /// On the way forces are in mixed precision where that is asked for and holds; evaluateExactly() is always in
@@ -98,16 +102,24 @@ class AgentForces {
   void start();
   /// Puts every free agent where its constraints allow.
   void project();
-  void buildPairs();
-  bool marksDaughters() const { return range_.daughterFactor > range_.factor; }
+  /// Who acts on whom now.
+  PairSource pairs() const;
+  /// Makes the rows of these agents.
+  void layOut(MovingAgents& moving) const;
+  /// Does so anew for those of them, if any, that are among `changed`, which are in ascending order.
+  void layOutAnew(MovingAgents& moving, std::span<const Index> changed) const;
   void placeAll(const MovingAgents& moving);
   /// The room that an agent has, in single precision, which errs to the safe side [m].
   float leashOf(Index i, const Vec3& position) const;
   AgentForce forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
                      const Vec3& position) const;
-  /// Lets set(k, load) make of each load the force on the k-th agent, then calls look(begin, end).
-  template <class Spheres, class Set, class Seen>
-  void evaluate(const Spheres& spheres, std::span<const Index> subset, const Set& set, const Seen& look);
+  /// Sets the loads of a piece of `agents` whose rows are not kept.
+  template <class Spheres>
+  void evaluateOnce(const Spheres& spheres, std::span<const Index> piece, std::span<AgentLoad> loads) const;
+  /// Takes the loads of each piece [begin, end) of `agents` from loadsOf(begin, end, loads), lets set(k,
+  /// load) make of each the force on the k-th agent, then calls look(begin, end).
+  template <class LoadsOf, class Set, class Seen>
+  void evaluate(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set, const Seen& look);
   template <class Spheres>
   void evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take);
   /// Sets the pressures of those fixed agents of whom something may have changed.
@@ -122,8 +134,7 @@ class AgentForces {
   NeighbourRange range_;
 
   AgentSpheres spheres_;
-  UnsureForces unsure_;  ///< since evaluateExactly()
-  PairTable pairs_;
+  UnsureForces unsure_;           ///< since evaluateExactly()
   std::vector<double> residual_;  ///< of the time of evaluateExactly() [N]
   std::vector<Index> free_;
   std::uint64_t evaluations_ = 0;

@@ -23,9 +23,10 @@ bool AgentSpheres::fit(std::span<const Index> agents) const {
   return !scale_ || agentsOf(agents, [this](Index i) { return !fits(i); }).empty();
 }
 
-void AgentSpheres::packAll(Index nobody) {
-  spheres_ = packSpheres(agents_, nobody);
-  if (scale_) fixed_ = packSpheres(agents_, nobody, *scale_);
+void AgentSpheres::packAll() {
+  nobody_ = agents_.size() + agents_.size() / 8;
+  spheres_ = packSpheres(agents_, nobody_);
+  if (scale_) fixed_ = packSpheres(agents_, nobody_, *scale_);
 }
 
 void AgentSpheres::copy(Index i) {

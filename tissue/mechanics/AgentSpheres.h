@@ -28,8 +28,10 @@ class AgentSpheres {
   /// Whether the precision can express these agents.
   bool fit(std::span<const Index> agents) const;
 
-  /// Copies all agents; there is room for more up to the index `nobody` of a PairTable.
-  void packAll(Index nobody);
+  /// Copies all agents and makes room for an eighth more.
+  void packAll();
+  /// An index that no agent has: that of a sphere that touches nothing. Agents below it can be copied.
+  Index nobody() const { return nobody_; }
   /// Copies agent i.
   void copy(Index i);
   /// Whether agent i is not where and as large as remember() found it.
@@ -67,6 +69,7 @@ class AgentSpheres {
   std::optional<FixedScale> wanted_;
   std::optional<FixedScale> scale_;  ///< wanted_ unless an agent does not fit
   bool outgrown_ = false;
+  Index nobody_ = 0;
   std::vector<FixedSphere> fixed_;  ///< in mixed precision only
   std::vector<Sphere> spheres_;
 };

@@ -7,18 +7,12 @@
 
 namespace restenosis {
 
-/// All that the force loop reads besides the agents.
-struct ForceInput {
-  const PairTable& pairs;
-  const MechanicsParameters& parameters;
-};
-
 /// One contact law in the table: the force loop compiled for it, so that no pair pays for the choice.
 struct ContactLaw {
-  /// Sets loads[k] for the k-th agent of `subset`, which is ascending; in the calling thread.
+  /// Sets loads[k] for the k-th of `agents`, whose rows are `rows`; in the calling thread.
   template <class Spheres>
-  using Loop = void (*)(const ForceInput&, const Spheres&, std::span<const Index> subset,
-                        std::span<AgentLoad> loads);
+  using Loop = void (*)(const MechanicsParameters&, const Spheres&, const PairRows& rows,
+                        std::span<const Index> agents, std::span<AgentLoad> loads);
 
   std::string_view name;
   Loop<FixedSpheres> evaluateMixed;

@@ -18,26 +18,32 @@ NeighbourRange ForceField::range(double skin) const {
           .skin = skin};
 }
 
-void ForceField::evaluate(const ExactSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+void ForceField::evaluate(const ExactSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
                           std::span<AgentLoad> loads) const {
-  law_->evaluateExact({pairs, parameters_}, spheres, subset, loads);
+  law_->evaluateExact(parameters_, spheres, rows, agents, loads);
 }
 
-void ForceField::evaluate(const FixedSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+void ForceField::evaluate(const FixedSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
                           std::span<AgentLoad> loads) const {
-  law_->evaluateMixed({pairs, parameters_}, spheres, subset, loads);
+  law_->evaluateMixed(parameters_, spheres, rows, agents, loads);
 }
 
 std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const BondTable& bonds) const {
   NeighbourList neighbours;
   neighbours.build(agents, range(0));
-  PairTable pairs;
-  pairs.build(neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0);
+  const PairSource source{neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0};
   std::vector<Index> all(agents.size());
   std::iota(all.begin(), all.end(), Index{0});
   std::vector<AgentLoad> loads(agents.size());
-  const std::vector<Sphere> spheres = packSpheres(agents, pairs.nobody());
-  evaluate(ExactSpheres(spheres), pairs, all, loads);
+  const Index nobody = agents.size();
+  const std::vector<Sphere> spheres = packSpheres(agents, nobody);
+  PairRows rows;
+  for (std::size_t begin = 0; begin < all.size(); begin += PairRows::most) {
+    const auto piece =
+        std::span<const Index>(all).subspan(begin, std::min(PairRows::most, all.size() - begin));
+    rows.layOut(source, piece, nobody);
+    evaluate(ExactSpheres(spheres), rows, piece, std::span(loads).subspan(begin, piece.size()));
+  }
   return loads;
 }
 

@@ -8,7 +8,7 @@
 #include "BondTable.h"
 #include "MechanicsParameters.h"
 #include "NeighbourList.h"
-#include "PairTable.h"
+#include "PairRows.h"
 #include "Spheres.h"
 
 namespace restenosis {
@@ -42,11 +42,11 @@ class ForceField {
   /// Which pairs a neighbour list must hold.
   NeighbourRange range(double skin) const;
 
-  /// Sets loads[k] for the k-th agent of `subset`, which is ascending. In the calling thread: for use in
+  /// Sets loads[k] for the k-th of `agents`, whose rows are `rows`. In the calling thread: for use in
   /// parallel loops.
-  void evaluate(const ExactSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+  void evaluate(const ExactSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
                 std::span<AgentLoad> loads) const;
-  void evaluate(const FixedSpheres& spheres, const PairTable& pairs, std::span<const Index> subset,
+  void evaluate(const FixedSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
                 std::span<AgentLoad> loads) const;
 
   /// Loads of all agents in double precision, for those who need them once: makes its own neighbour list.

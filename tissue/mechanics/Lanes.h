@@ -32,6 +32,18 @@ class Numbers {
   Numbers(Real value) : v_(value - Vector{}) {}
   explicit Numbers(const Vector& v) : v_(v) {}
 
+  /// The n numbers from `stored` on.
+  template <class Stored>
+  static Numbers from(const Stored* stored) {
+    Numbers numbers;
+    if constexpr (std::is_same_v<Stored, Real>) {
+      std::memcpy(&numbers.v_, stored, sizeof numbers.v_);
+    } else {
+      for (int k = 0; k < n; ++k) numbers.v_[k] = stored[k];
+    }
+    return numbers;
+  }
+
   Real operator[](int k) const { return v_[k]; }
   void set(int k, Real value) { v_[k] = value; }
   const Vector& vector() const { return v_; }
@@ -68,40 +80,6 @@ template <class Eight, std::size_t count>
     return parts[0];
   else
     return __builtin_shufflevector(parts[0], parts[1], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-}
-
-/// Columns of a square or taller table of numbers: columns[n] gets the n-th of the numbers at row(k) in its
-/// element k.
-template <class Stored, class Real, int lanes, std::size_t count, class Row>
-[[gnu::always_inline]] inline void transpose(const Row& row,
-                                             std::array<Numbers<Real, lanes>, count>& columns) {
-  if constexpr (std::is_same_v<Stored, Real> && sizeof(Real) == 4 && lanes == 8 && count == 8) {
-    using V = typename Numbers<Real, lanes>::Vector;
-    V a[8], b[8];
-    for (int k = 0; k < 8; ++k) std::memcpy(&a[k], row(k), sizeof(V));
-    for (int k = 0; k < 8; k += 2) {  // pairs of numbers, of quarters, of halves
-      b[k] = __builtin_shufflevector(a[k], a[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-      b[k + 1] = __builtin_shufflevector(a[k], a[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int k : {0, 1, 4, 5}) {
-      a[k] = __builtin_shufflevector(b[k], b[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-      a[k + 2] = __builtin_shufflevector(b[k], b[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; ++k) {
-      columns[k] = Numbers<Real, lanes>(V(__builtin_shufflevector(a[k], a[k + 4], 0, 1, 2, 3, 8, 9, 10, 11)));
-      columns[k + 4] =
-          Numbers<Real, lanes>(V(__builtin_shufflevector(a[k], a[k + 4], 4, 5, 6, 7, 12, 13, 14, 15)));
-    }
-  } else if constexpr (std::is_same_v<Stored, Real> && sizeof(Real) == 4 && lanes == 16 && count == 8) {
-    std::array<Numbers<Real, 8>, 8> upper, lower;
-    transpose<Stored>(row, upper);
-    transpose<Stored>([&](int k) { return row(k + 8); }, lower);
-    for (std::size_t n = 0; n < count; ++n)
-      columns[n] = Numbers<Real, lanes>(joined(std::array{upper[n].vector(), lower[n].vector()}));
-  } else {
-    for (std::size_t n = 0; n < count; ++n)
-      for (int k = 0; k < lanes; ++k) columns[n].set(k, row(k)[n]);
-  }
 }
 
 /// Force of a contact law at one overlap [N].

@@ -42,6 +42,7 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   if (awake_.size() < awake_.motion.capacity() / 4) awake_ = {};  // gives memory back after all were awake
   awake_.agents.clear();
   awake_.motion.clear();
+  awake_.areRowsOf = false;
   isAwake_.resize(forces_.size(), 0);
   marked_.resize(forces_.size(), 0);
   wakeAnyone();
@@ -206,8 +207,10 @@ void RelaxingAgents::retireSettled(double share) {
       awake_.motion[left++] = awake_.motion[k];
     }
   }
+  if (left == awake_.size()) return;
   awake_.agents.resize(left);
   awake_.motion.resize(left);
+  awake_.areRowsOf = false;
   sight_.reset();
 }
 
@@ -215,6 +218,7 @@ void RelaxingAgents::wake(std::span<const Index> sleepers) {
   for (const Index i : sleepers) isAwake_[i] = 1;
   forces_.startMoving(sleepers);
   if (sleepers.empty()) return;
+  awake_.areRowsOf = false;
   sight_.reset();
   // Both are sorted: from the back on, nobody is overwritten who is yet to be moved
   std::size_t former = awake_.size(), next = sleepers.size(), place = former + next;

@@ -107,7 +107,7 @@ using FixedSpheres =
     FixedSpheresOf<floatLanes>;  // its functions are `inline`, or GCC leaves calls in the loop
 
 /// The agents as ExactSpheres wants them, and nobody, of radius noAgentRadius, from there to the index
-/// `nobody` of a PairTable.
+/// `nobody`.
 std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody);
 /// The agents as FixedSpheres wants them, and nobody likewise.
 std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale);

@@ -14,7 +14,7 @@ namespace {
 
 // Speed only, as are all numbers here: results do not depend on when agents are looked up. An agent is looked
 // up with those that must be once it has less than this share of its allowance left, ...
-constexpr double leftBeforeLookUp = 0.6;
+constexpr double leftBeforeLookUp = 0.3;
 // ... and all are when more than this share would have to be.
 constexpr double mostLookedUp = 0.1;
 

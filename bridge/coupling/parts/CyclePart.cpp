@@ -19,10 +19,9 @@ void CyclePart::run(const Instant& now) {
   const auto steps = std::max(1L, std::lround(timeBetweenOrderings / world_.scene.scene.step));
   if (world_.divisions > 0 && now.step % steps == 0) orderInSpace(world_.wall);
   AgentStore& agents = world_.wall.agents;
-  const auto radiusBefore = agents.radius;
   const CycleReport report = world_.biology.advanceCycle(agents, world_.wall.bonds, now.time);
   world_.divisions += report.divisions;
-  if (report.divisions > 0 || agents.radius != radiusBefore) world_.changes.touch(Quantity::cellStates);
+  if (report.divisions > 0 || report.anyGrew) world_.changes.touch(Quantity::cellStates);
 }
 
 }  // namespace restenosis

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "BondTable.h"
+#include "NeighbourList.h"
+
+namespace restenosis {
+
+/// One of those that act on an agent.
+struct ActingPair {
+  Index partner;
+  /// Rest length of the bond [m], infinite where there is none. Negative where either of the pair is a
+  /// daughter and these are marked.
+  float rest;
+};
+
+/// Who acts on whom: neighbours and partners of bonds. What it refers to must outlive it.
+struct PairSource {
+  const NeighbourList& neighbours;
+  const BondTable& bonds;
+  const std::vector<std::uint8_t>& flags;  ///< of the agents
+  bool marksDaughters;                     ///< whether pairs with a daughter are marked
+
+  /// Appends the partners of agent i in ascending order, each once; returns whether any pair is marked.
+  bool append(Index i, std::vector<ActingPair>& pairs) const;
+};
+
+}  // namespace restenosis
