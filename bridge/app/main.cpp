@@ -13,12 +13,11 @@
 #include "CheckCommand.h"
 #include "CompareCommand.h"
 #include "ExitStatus.h"
-#include "LargeArrays.h"
 #include "NearestName.h"
 #include "RunCommand.h"
+#include "RuntimeSettings.h"
 #include "SchemaCommand.h"
 #include "Shown.h"
-#include "ThreadWaiting.h"
 #include "TradeoffCommand.h"
 #include "Version.h"
 
@@ -41,10 +40,9 @@ std::string commandProblem(const CLI::App& app, int argc, char** argv) {
 /// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
 int main(int argc, char** argv) {
   using namespace restenosis;
-  letWaitingThreadsSleep(argv);
+  applyRuntimeSettings(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the system allows fails to be written, and is named
   vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words
-  returnLargeArrays();
 
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
   app.set_version_flag("--version", std::string(version()));

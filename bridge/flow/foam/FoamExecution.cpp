@@ -16,10 +16,11 @@ void setDefault(ExternalProgram& program, const char* variable, const char* valu
 ExternalProgram inFoamEnvironment(const std::string& name, const FoamExecution& execution) {
   ExternalProgram program(name);
   setDefault(program, "WM_PROJECT_DIR", "/usr/share/openfoam");
-  // snappyHexMesh frees and asks again for the same large blocks: glibc keeps them instead of returning them
+  // snappyHexMesh frees and asks again for the same large blocks: glibc keeps them instead of returning them,
+  // in large pages, of which few have to be handed out
   setDefault(program, "GLIBC_TUNABLES",
              "glibc.malloc.trim_threshold=1073741824:glibc.malloc.mmap_threshold=1073741824:"
-             "glibc.malloc.top_pad=67108864");
+             "glibc.malloc.top_pad=67108864:glibc.malloc.hugetlb=1");
   program.stopWhen(execution.stopRequested);
   return program;
 }
