@@ -4,6 +4,8 @@
 #include <cassert>
 #include <limits>
 
+#include "Room.h"
+
 namespace restenosis {
 namespace {
 
@@ -53,6 +55,8 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
     groups_[g] = {.start = end, .length = length, .room = length + spareLines, .marked = marked};
     end += groups_[g].room;
   }
+  if (end > lines_.capacity()) lines_ = {};  // what it holds need not be copied
+  makeRoom(lines_, end);
   lines_.resize(end);
   for (std::size_t n = 0; n < groups() * width; ++n) {
     std::span<const ActingPair> row;

@@ -1,8 +1,11 @@
 #include "NeighbourList.h"
 
+#include <xxhash.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "CellGrid.h"
 #include "Chunks.h"
@@ -20,6 +23,8 @@ constexpr double mostLookedUp = 0.1;
 
 // A row that outgrew its room gets this much more than it needs.
 constexpr std::uint32_t spareEntries = 8;
+// No row keeps more than this.
+constexpr std::uint32_t mostSpare = 255;
 // When more than this share of the entries is abandoned, the list is built anew.
 constexpr double mostAbandoned = 0.25;
 
@@ -35,17 +40,27 @@ double widestReach(const NeighbourRange& range, double largestRadius) {
 }
 
 /// Distance within which all agents in range of an agent with this anchor are [m].
-template <class Anchor>
-double reachOf(const Anchor& anchor, const NeighbourRange& range, double largestRadius) {
-  return widestFactor(range) * (anchor.radius + largestRadius) + range.skin;
+double reachOf(const auto& anchor, const NeighbourRange& range, double largestRadius) {
+  return widestFactor(range) * (anchor.radius() + largestRadius) + range.skin;
 }
 
 bool inRange(const NeighbourRange& range, const auto& a, const auto& b) {
   const Vec3 apart = a.position - b.position;
-  const double reach =
-      (a.daughter | b.daughter ? range.daughterFactor : range.factor) * (a.radius + b.radius) + range.skin;
+  const double factor = a.daughter() | b.daughter() ? range.daughterFactor : range.factor;
+  const double reach = factor * (a.radius() + b.radius()) + range.skin;
   return apart.squaredNorm() <= reach * reach;
 }
+
+/// A number in single precision that is not below this one, or not above it.
+float roundedUp(double value) {
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+float roundedDown(double value) {
+  return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+}
+
+// Agents of a piece whose names are hashed together.
+constexpr std::size_t namesOfPiece = 512;
 
 template <class Anchors>
 std::vector<Vec3> positions(const Anchors& anchors) {
@@ -63,9 +78,11 @@ class SearchOfAll {
       : range_(range),
         largestRadius_(largestRadius),
         grid_(positions(anchors), widestReach(range, largestRadius)) {
-    candidates_.reserve(anchors.size());
-    for (const Index j : grid_.order())
-      candidates_.push_back({anchors[j].position, anchors[j].radius, j, anchors[j].daughter});
+    candidates_.resize(anchors.size());
+    forEachInChunks(anchors.size(), [&](std::size_t n) {
+      const Index j = grid_.order()[n];
+      candidates_[n] = {anchors[j], j};
+    });
   }
 
   /// Appends the agents in range of agent i, in ascending order.
@@ -79,7 +96,7 @@ class SearchOfAll {
           Index* out = row.data() + end;
           for (std::uint32_t n = from; n < to; ++n) {
             *out = candidates_[n].agent;
-            out += inRange(range_, anchor, candidates_[n]) & (candidates_[n].agent != i);
+            out += inRange(range_, anchor, candidates_[n].anchor) & (candidates_[n].agent != i);
           }
           end = static_cast<std::size_t>(out - row.data());
         });
@@ -89,10 +106,8 @@ class SearchOfAll {
 
  private:
   struct Candidate {
-    Vec3 position;
-    double radius;
+    Anchor anchor;
     Index agent;
-    bool daughter;
   };
 
   NeighbourRange range_;
@@ -101,15 +116,30 @@ class SearchOfAll {
   std::vector<Candidate> candidates_;
 };
 
+std::uint64_t hashOfNames(const AgentStore& agents, std::size_t piece, std::size_t count) {
+  const std::size_t begin = piece * namesOfPiece, end = std::min(count, begin + namesOfPiece);
+  return XXH3_64bits(agents.id.data() + begin, (end - begin) * sizeof(AgentId));
+}
+
+/// Where a row begins. Throws std::length_error for a list of more entries than its rows can tell apart.
+std::uint32_t startOf(std::size_t entry) {
+  if (entry > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("a neighbour list of more than four thousand million entries");
+  return static_cast<std::uint32_t>(entry);
+}
+
 }  // namespace
+
+NeighbourList::Anchor::Anchor(const Vec3& place, double agentRadius, bool isDaughter, double allowed)
+    : position(place), radius_(isDaughter ? -roundedUp(agentRadius) : roundedUp(agentRadius)) {
+  allow(allowed);
+}
+
+void NeighbourList::Anchor::allow(double distance) { allowance_ = std::max(0.0F, roundedDown(distance)); }
 
 NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
                                               const NeighbourRange& range) {
-  return {.position = finitePosition(agents, i),
-          .allowance = range.skin / 2,
-          .radius = agents.radius[i],
-          .id = agents.id[i],
-          .daughter = agents.has(i, AgentFlag::daughter)};
+  return {finitePosition(agents, i), agents.radius[i], agents.has(i, AgentFlag::daughter), range.skin / 2};
 }
 
 void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
@@ -117,11 +147,10 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   rows_.clear();  // should a position be found wrong below, there is no list
   grid_.reset();
   anchors_.resize(agents.size());
+  for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
   largestRadius_ = 0;
-  for (Index i = 0; i < agents.size(); ++i) {
-    anchors_[i] = anchorOf(agents, i, range);
-    largestRadius_ = std::max(largestRadius_, anchors_[i].radius);
-  }
+  for (const Anchor& anchor : anchors_) largestRadius_ = std::max(largestRadius_, anchor.radius());
+  noteNames(agents, 0);
   const SearchOfAll search(anchors_, range, largestRadius_);
 
   constexpr Index chunk = 512;
@@ -136,12 +165,12 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
     for (Index i = begin; i < std::min(count, begin + chunk); ++i) {
       const std::size_t first = parts[c].size();
       search.append(i, anchors_[i], parts[c]);
-      rows[i].count = rows[i].room = static_cast<std::uint32_t>(parts[c].size() - first);
+      rows[i].count = static_cast<std::uint32_t>(parts[c].size() - first);
     }
   }
   std::size_t end = 0;
   for (Row& row : rows) {
-    row.start = end;
+    row.start = startOf(end);
     end += row.count;
   }
   neighbours_.resize(end);
@@ -183,23 +212,29 @@ std::size_t NeighbourList::pairCount() const {
   return entries / 2;
 }
 
+void NeighbourList::noteNames(const AgentStore& agents, Index first) {
+  names_.resize((agents.size() + namesOfPiece - 1) / namesOfPiece);
+  for (std::size_t piece = first / namesOfPiece; piece < names_.size(); ++piece)
+    names_[piece] = hashOfNames(agents, piece, agents.size());
+}
+
 bool NeighbourList::sameAgents(const AgentStore& agents) const {
   if (agents.size() < size()) return false;
-  return agentsThat(size(), [&](Index i) { return agents.id[i] != anchors_[i].id; }).empty();
+  for (std::size_t piece = 0; piece < names_.size(); ++piece)
+    if (names_[piece] != hashOfNames(agents, piece, size())) return false;
+  return true;
 }
 
 std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
-  const auto changed = [&](Index i) { return anchors_[i].daughter != agents.has(i, AgentFlag::daughter); };
+  const auto changed = [&](Index i) { return anchors_[i].daughter() != agents.has(i, AgentFlag::daughter); };
+  const auto growthOf = [&](Index i) { return std::max(0.0, agents.radius[i] - anchors_[i].radius()); };
   std::vector<Index> used = agentsThat(size(), [&](Index i) {
-    Anchor& anchor = anchors_[i];
-    const double growth = std::max(0.0, agents.radius[i] - anchor.radius);
-    anchor.allowance = std::max(0.0, range_.skin / 2 - widestFactor(range_) * growth);
+    anchors_[i].allow(range_.skin / 2 - widestFactor(range_) * growthOf(i));
     return changed(i) || hasLittleRoom(agents, i);
   });
   const bool necessary =
       agents.size() > size() || std::ranges::any_of(used, [&](Index i) {
-        const double growth = agents.radius[i] - anchors_[i].radius;
-        return changed(i) || movedTooFar(agents, i) || widestFactor(range_) * growth > range_.skin / 2;
+        return changed(i) || movedTooFar(agents, i) || widestFactor(range_) * growthOf(i) > range_.skin / 2;
       });
   if (!necessary) return {};
   for (Index i = size(); i < agents.size(); ++i) used.push_back(i);
@@ -227,10 +262,11 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   stale_.resize(agents.size(), 0);
   for (const Index i : names) {
     anchors_[i] = anchorOf(agents, i, range_);
-    largestRadius_ = std::max(largestRadius_, anchors_[i].radius);
+    largestRadius_ = std::max(largestRadius_, anchors_[i].radius());
     grid_->place(i, anchors_[i].position);
     stale_[i] = 1;
   }
+  if (agents.size() > known) noteNames(agents, known);
   std::vector<std::vector<Index>> found(names.size());
   std::vector<std::vector<Edit>> editsOf(names.size());
   const auto count = static_cast<std::ptrdiff_t>(names.size());
@@ -296,14 +332,19 @@ void NeighbourList::apply(std::span<const Edit> edits, std::vector<Index>& row) 
 
 void NeighbourList::setRow(Index i, const std::vector<Index>& row) {
   Row& place = rows_[i];
-  place.count = static_cast<std::uint32_t>(row.size());
-  if (place.count > place.room) {
-    abandoned_ += place.room;
-    place.start = neighbours_.size();
-    place.room = place.count + spareEntries;
-    makeRoom(neighbours_, neighbours_.size() + place.room);
-    neighbours_.resize(neighbours_.size() + place.room);
+  const auto count = static_cast<std::uint32_t>(row.size());
+  if (count <= place.room()) {
+    const std::uint32_t left = place.room() - count;
+    place.spare = std::min(left, mostSpare);
+    abandoned_ += left - place.spare;
+  } else {
+    abandoned_ += place.room();
+    place.start = startOf(neighbours_.size());
+    place.spare = spareEntries;
+    makeRoom(neighbours_, neighbours_.size() + count + spareEntries);
+    neighbours_.resize(neighbours_.size() + count + spareEntries);
   }
+  place.count = count;
   std::ranges::copy(row, neighbours_.begin() + static_cast<std::ptrdiff_t>(place.start));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <optional>
@@ -60,24 +61,37 @@ class NeighbourList {
   /// How far agent i at `position` may still go before, with another that has gone as far, a pair may be
   /// missing; below 0 one may be [m]. Radii are those of the last build or update.
   double room(Index i, const Vec3& position) const {
-    return anchors_[i].allowance - (position - anchors_[i].position).norm();
+    return anchors_[i].allowance() - (position - anchors_[i].position).norm();
   }
   /// Agents with no more room than this are looked up when others must be [m].
   double comfortableRoom() const;
 
  private:
-  /// An agent as it was when it was last looked up.
-  struct Anchor {
+  /// An agent as it was when it was last looked up. Half a cache line: a search reads those of many agents.
+  /// Single precision errs to the safe side: the list may hold a pair too many, none too few.
+  class Anchor {
+   public:
+    Anchor() = default;
+    Anchor(const Vec3& place, double agentRadius, bool isDaughter, double allowed);
+    void allow(double distance);  ///< sets the allowance, not below 0
+
     Vec3 position;
-    double allowance;  ///< how far it may go from there [m], less what it has grown since
-    double radius;
-    AgentId id;
-    bool daughter;
+    bool daughter() const { return std::signbit(radius_); }
+    double radius() const { return std::abs(radius_); }  ///< [m]
+    double allowance() const {
+      return allowance_;
+    }  ///< how far it may go from there, less what it has grown since [m]
+
+   private:
+    float radius_ = 0;  ///< below 0 for a daughter
+    float allowance_ = 0;
   };
-  /// Where an agent's neighbours are in neighbours_, and how many there is room for.
+  static_assert(sizeof(Anchor) == 32);
+  /// Where an agent's neighbours are in neighbours_, and for how many more there is room.
   struct Row {
-    std::size_t start = 0;
-    std::uint32_t count = 0, room = 0;
+    std::uint32_t start = 0;
+    std::uint32_t count : 24 = 0, spare : 8 = 0;
+    std::uint32_t room() const { return count + spare; }
   };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
   /// Whether agent i of `agents` has no room.
@@ -104,8 +118,12 @@ class NeighbourList {
   void apply(std::span<const Edit> edits, std::vector<Index>& row) const;
   void setRow(Index i, const std::vector<Index>& row);
 
+  /// Notes the names of the agents from `first` on.
+  void noteNames(const AgentStore& agents, Index first);
+
   NeighbourRange range_;
   std::vector<Anchor> anchors_;
+  std::vector<std::uint64_t> names_;  ///< of each piece of agents, in their order: a hash
   std::vector<Row> rows_;
   std::vector<Index> neighbours_;
   std::size_t abandoned_ = 0;        ///< entries of neighbours_ that no row uses any more
