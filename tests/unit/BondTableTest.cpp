@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "BondTable.h"
+#include "RandomStream.h"
 
 namespace restenosis {
 namespace {
@@ -95,6 +101,42 @@ TEST(BondTable, NewAgentsHaveNoBonds) {
   bonds.resize(3);
   for (Index i = 0; i < 3; ++i) EXPECT_TRUE(bonds.of(i).empty()) << i;
   EXPECT_EQ(bonds.bondCount(), 0u);
+}
+
+TEST(BondTable, HoldsWhatItShouldAfterManyChanges) {
+  constexpr Index count = 3000;
+  BondTable bonds;
+  bonds.resize(count);
+  std::vector<std::map<Index, float>> expected(count);
+  RandomStream random(5, 0, 0, RandomPurpose::packing);
+  const auto any = [&] { return static_cast<Index>(random.uniform() * count); };
+  for (int change = 0; change < 60000; ++change) {
+    const Index a = any(), b = any();
+    if (a == b) continue;
+    if (change % 5 == 0) {
+      bonds.disconnectAll(a);
+      for (const auto& [partner, rest] : expected[a]) expected[partner].erase(a);
+      expected[a].clear();
+    } else {
+      const bool possible = !expected[a].contains(b) && expected[a].size() < BondTable::maxBonds &&
+                            expected[b].size() < BondTable::maxBonds;
+      ASSERT_EQ(bonds.connect(a, b, change), possible);
+      if (possible) expected[a][b] = expected[b][a] = static_cast<float>(change);
+    }
+  }
+  std::vector<Index> order(count);
+  for (Index k = 0; k < count; ++k) order[k] = count - 1 - k;
+  bonds.reorder(order);
+  std::size_t ends = 0;
+  for (Index k = 0; k < count; ++k) {
+    Held held;
+    for (const auto& [partner, rest] : expected[order[k]]) held.emplace_back(count - 1 - partner, rest);
+    std::ranges::sort(held);
+    ASSERT_EQ(heldBy(bonds, k), held) << k;
+    ends += held.size();
+  }
+  EXPECT_EQ(bonds.bondCount(), ends / 2);
+  EXPECT_GT(ends, std::size_t{count});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,13 +15,17 @@ struct Bond {
 };
 
 /// Bonds between agents, at most twelve an agent (ISR3D). Every bond is stored at both of its ends, and an
-/// agent's bonds are sorted by partner, so that sums over them have one order.
+/// agent's bonds are sorted by partner, so that sums over them have one order. Those without bonds, as the
+/// daughters of a growing wall, take next to no memory.
 class BondTable {
  public:
   static constexpr std::size_t maxBonds = 12;
 
-  std::span<const Bond> of(Index agent) const { return {bonds_[agent].data(), count_[agent]}; }
-  Index size() const { return static_cast<Index>(count_.size()); }
+  std::span<const Bond> of(Index agent) const {
+    const Row row = rows_[agent];
+    return {bonds_.data() + row.start, row.count};
+  }
+  Index size() const { return static_cast<Index>(rows_.size()); }
   std::size_t bondCount() const;
 
   /// Makes room for `agents` agents; new ones have no bonds.
@@ -37,15 +41,27 @@ class BondTable {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(bonds_, count_);
+    a(bonds_, rows_);
   }
 
  private:
+  /// Where an agent's bonds are in bonds_, and for how many there is room.
+  struct Row {
+    std::uint32_t start = 0;
+    std::uint16_t count = 0, room = 0;
+  };
   void insert(Index agent, Bond bond);
   void remove(Index agent, Index partner);
+  /// Gives a row more room, at the end of bonds_.
+  void widen(Row& row);
+  /// Moves the rows together: afterwards agent k has the bonds of agent rowOf(k), whose partners are called
+  /// nameOf(partner) now.
+  template <class RowOf, class NameOf>
+  void layOut(Index agents, RowOf&& rowOf, NameOf&& nameOf);
 
-  std::vector<std::array<Bond, maxBonds>> bonds_;
-  std::vector<std::uint8_t> count_;
+  std::vector<Bond> bonds_;
+  std::vector<Row> rows_;
+  std::size_t abandoned_ = 0;  ///< places of bonds_ that no row has any more; speed and memory only
 };
 
 }  // namespace restenosis
