@@ -23,12 +23,15 @@ void expectComplete(const MovableGrid& grid, const std::vector<Vec3>& points, do
   }
 }
 
+Vec3 noPoint(std::size_t) { return Vec3::Zero(); }
+
 TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
   RandomStream random(3, 0, 0, RandomPurpose::packing);
   const auto anywhere = [&] { return Vec3(random.uniform(), random.uniform(), random.uniform()); };
   std::vector<Vec3> points(200);
   for (Vec3& point : points) point = anywhere();
-  MovableGrid grid(points, 0.1);
+  MovableGrid grid(
+      points.size(), [&](std::size_t k) { return points[k]; }, 0.1);
   expectComplete(grid, points, 0.12);
   for (int step = 0; step < 5; ++step) {
     for (std::size_t i = 0; i < points.size(); i += 3) {
@@ -43,12 +46,12 @@ TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
 }
 
 TEST(MovableGrid, BeginsWithoutPoints) {
-  MovableGrid grid({}, 0.1);
+  MovableGrid grid(0, noPoint, 0.1);
   grid.place(0, Vec3(5, 5, 5));
   int found = 0;
   grid.forEachCandidate(Vec3(5, 5, 5.05), 0.1, [&](Index) { ++found; });
   EXPECT_EQ(found, 1);
-  EXPECT_THROW(MovableGrid({}, 0), std::invalid_argument);
+  EXPECT_THROW(MovableGrid(0, noPoint, 0), std::invalid_argument);
 }
 
 }  // namespace

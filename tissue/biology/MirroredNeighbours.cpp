@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "Chunks.h"
-
 namespace restenosis {
 
 namespace {
@@ -20,12 +18,6 @@ double cellSize(const AgentShapes& agents, double range) {
   return sum > 0 ? range * sum / agents.size() : 1.0;
 }
 
-std::vector<Vec3> positions(const AgentShapes& agents) {
-  std::vector<Vec3> points(agents.size());
-  forEachInChunks(agents.size(), [&](std::size_t i) { points[i] = agents.position(static_cast<Index>(i)); });
-  return points;
-}
-
 }  // namespace
 
 MirroredNeighbours::MirroredNeighbours(const AgentShapes& agents, double range, double vesselLength)
@@ -33,7 +25,9 @@ MirroredNeighbours::MirroredNeighbours(const AgentShapes& agents, double range, 
       range_(range),
       vesselLength_(vesselLength),
       largestRadius_(largest(agents.radius)),
-      grid_(positions(agents), cellSize(agents, range)) {}
+      grid_(
+          agents.size(), [&](std::size_t i) { return agents.position(static_cast<Index>(i)); },
+          cellSize(agents, range)) {}
 
 double MirroredNeighbours::facing(Index j, const Vec3& offset, double distance) const {
   const double x = agents_.x[j], y = agents_.y[j], rho = std::hypot(x, y);

@@ -6,6 +6,7 @@
 
 #include "AgentStore.h"
 #include "CellLattice.h"
+#include "Chunks.h"
 
 namespace restenosis {
 
@@ -17,8 +18,13 @@ class CellGrid {
  public:
   /// `cellSize` > 0 [m]. Throws std::invalid_argument naming the agent when a position is not finite.
   CellGrid(const AgentStore& agents, double cellSize);
-  /// Sorts points instead, all finite; "agent" stands for a place in `points` then.
-  CellGrid(std::span<const Vec3> points, double cellSize);
+  /// Sorts `count` points instead, pointAt(k) the k-th of them, all finite; "agent" stands for k then.
+  template <class PointAt>
+  CellGrid(std::size_t count, const PointAt& pointAt, double cellSize) : lattice_(count, pointAt, cellSize) {
+    std::vector<std::uint32_t> cell(count);
+    forEachInChunks(count, [&](std::size_t k) { cell[k] = lattice_.cellOf(pointAt(k)); });
+    sort(cell);
+  }
 
   double cellSize() const { return lattice_.cellSize(); }
   std::size_t cellCount() const { return start_.size() - 1; }
@@ -43,6 +49,9 @@ class CellGrid {
   std::span<const Index> order() const { return order_; }
 
  private:
+  /// By the cells of the agents.
+  void sort(std::span<const std::uint32_t> cell);
+
   CellLattice lattice_;
   std::vector<std::uint32_t> start_;  ///< first entry of each cell in order_, and the end
   std::vector<Index> order_;

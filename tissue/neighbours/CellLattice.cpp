@@ -17,21 +17,19 @@ double cellAlong(double coordinate, double cellSize) { return std::floor(coordin
 
 }  // namespace
 
-CellLattice::CellLattice(std::span<const Vec3> points, double cellSize) : cellSize_(cellSize) {
+CellLattice::CellLattice(const Box& box, std::size_t count, double cellSize) : cellSize_(cellSize) {
   if (!(cellSize > 0) || !std::isfinite(cellSize)) {
     throw std::invalid_argument(
         fmt::format("the cells of a neighbour grid need a size above 0, got {} m", cellSize));
   }
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-  if (!points.empty()) low = high = points[0];
-  for (const Vec3& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
   std::array<double, 3> sides{};
   for (int axis = 0; axis < 3; ++axis) {
     // One empty layer, so that the two ends of the grid are not neighbours.
-    sides[axis] = points.empty() ? 0 : cellAlong(high[axis], cellSize) - cellAlong(low[axis], cellSize) + 2;
+    sides[axis] =
+        count == 0 ? 0 : cellAlong(box.high[axis], cellSize) - cellAlong(box.low[axis], cellSize) + 2;
     sides[axis] = std::max(sides[axis], static_cast<double>(smallestSide));
   }
-  const double mostCells = fewestCells + cellsPerPoint * static_cast<double>(points.size());
+  const double mostCells = fewestCells + cellsPerPoint * static_cast<double>(count);
   while (sides[0] * sides[1] * sides[2] > mostCells) {
     auto& longest = *std::max_element(sides.begin(), sides.end());
     longest = std::max(std::ceil(longest / 2), static_cast<double>(smallestSide));

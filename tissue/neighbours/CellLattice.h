@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <limits>
 
 #include "AgentStore.h"
+#include "Chunks.h"
 
 namespace restenosis {
 
@@ -14,8 +15,11 @@ namespace restenosis {
 /// so whoever looks for points in a cell must test distances, and does so anyway.
 class CellLattice {
  public:
-  /// For these points, all finite. `cellSize` > 0 [m], or std::invalid_argument is thrown.
-  CellLattice(std::span<const Vec3> points, double cellSize);
+  /// For `count` points, pointAt(k) the k-th of them, all finite. `cellSize` > 0 [m], or
+  /// std::invalid_argument is thrown.
+  template <class PointAt>
+  CellLattice(std::size_t count, const PointAt& pointAt, double cellSize)
+      : CellLattice(boxOf(count, pointAt), count, cellSize) {}
 
   double cellSize() const { return cellSize_; }
   std::size_t cellCount() const { return static_cast<std::size_t>(size_[0] * size_[1] * size_[2]); }
@@ -39,6 +43,19 @@ class CellLattice {
   }
 
  private:
+  struct Box {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 high = -low;
+    void join(const Box& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
+  };
+  template <class PointAt>
+  static Box boxOf(std::size_t count, const PointAt& pointAt) {
+    return reduceInChunks<Box>(count, [&](std::size_t k, Box& part) {
+      const Vec3 point = pointAt(k);
+      part.join({point, point});
+    });
+  }
+  CellLattice(const Box& box, std::size_t count, double cellSize);
   /// `count` cells from `first` on, wrapping around: no cell twice.
   struct Window {
     std::int64_t first, count;

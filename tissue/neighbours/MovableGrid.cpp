@@ -4,14 +4,6 @@
 
 namespace restenosis {
 
-MovableGrid::MovableGrid(std::span<const Vec3> points, double cellSize)
-    : lattice_(points, cellSize),
-      first_(lattice_.cellCount(), none),
-      next_(points.size(), none),
-      cell_(points.size()) {
-  for (Index i = 0; i < size(); ++i) link(i, lattice_.cellOf(points[i]));
-}
-
 void MovableGrid::place(Index i, const Vec3& point) {
   const std::uint32_t cell = lattice_.cellOf(point);
   if (i == size()) {

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "CellLattice.h"
+#include "Chunks.h"
 
 namespace restenosis {
 
@@ -13,8 +13,16 @@ namespace restenosis {
 /// however many points there are. CellGrid is quicker to make and to read.
 class MovableGrid {
  public:
-  /// `points` are all finite, `cellSize` > 0 [m].
-  MovableGrid(std::span<const Vec3> points, double cellSize);
+  /// `count` points, pointAt(k) the k-th of them, all finite; `cellSize` > 0 [m].
+  template <class PointAt>
+  MovableGrid(std::size_t count, const PointAt& pointAt, double cellSize)
+      : lattice_(count, pointAt, cellSize),
+        first_(lattice_.cellCount(), none),
+        next_(count, none),
+        cell_(count) {
+    forEachInChunks(count, [&](std::size_t k) { cell_[k] = lattice_.cellOf(pointAt(k)); });
+    for (Index i = 0; i < size(); ++i) link(i, cell_[i]);
+  }
 
   Index size() const { return static_cast<Index>(next_.size()); }
   /// Puts point i elsewhere; i = size() adds one.

@@ -62,12 +62,10 @@ float roundedDown(double value) {
 // Agents of a piece whose names are hashed together.
 constexpr std::size_t namesOfPiece = 512;
 
-template <class Anchors>
-std::vector<Vec3> positions(const Anchors& anchors) {
-  std::vector<Vec3> points;
-  points.reserve(anchors.size());
-  for (const auto& anchor : anchors) points.push_back(anchor.position);
-  return points;
+/// Where the agents of a list were.
+template <class Anchor>
+auto placesOf(const std::vector<Anchor>& anchors) {
+  return [&anchors](std::size_t i) -> const Vec3& { return anchors[i].position; };
 }
 
 /// Finds the agents in range of every agent, reading them in the order of the grid's cells.
@@ -77,7 +75,7 @@ class SearchOfAll {
   SearchOfAll(const std::vector<Anchor>& anchors, const NeighbourRange& range, double largestRadius)
       : range_(range),
         largestRadius_(largestRadius),
-        grid_(positions(anchors), widestReach(range, largestRadius)) {
+        grid_(anchors.size(), placesOf(anchors), widestReach(range, largestRadius)) {
     candidates_.resize(anchors.size());
     forEachInChunks(anchors.size(), [&](std::size_t n) {
       const Index j = grid_.order()[n];
@@ -253,7 +251,7 @@ void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
 
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
-  if (!grid_) grid_.emplace(positions(anchors_), widestReach(range_, largestRadius_));
+  if (!grid_) grid_.emplace(anchors_.size(), placesOf(anchors_), widestReach(range_, largestRadius_));
   const Index known = size();
   makeRoom(anchors_, agents.size());
   makeRoom(rows_, agents.size());
