@@ -41,8 +41,9 @@ void applyRuntimeSettings(char** argv) {
   const char* const marked = std::getenv(mark);
   if (marked && std::string_view(marked) == withTunables) unsetenv("GLIBC_TUNABLES");
   unsetenv(mark);
-#if defined(M_MMAP_THRESHOLD)
+#if defined(M_MMAP_THRESHOLD) && defined(M_TRIM_THRESHOLD)
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 32 << 20);
 #endif
 }
 

@@ -12,7 +12,8 @@ namespace restenosis {
 /// - Large arrays are of large pages (GLIBC_TUNABLES): a run hands out hundreds of megabytes a day anew, and
 ///   each page of 4 KiB costs a fault, which virtual machines make dear.
 /// - Arrays above a mebibyte go back to the system when they are freed. Left to itself glibc keeps them for
-///   later, up to 32 MiB each, and a vessel of half a million agents has a sixth more memory.
+///   later, up to 32 MiB each, and a vessel of half a million agents has a sixth more memory. Of smaller ones
+///   32 MiB in all are kept: they are asked for again in every step.
 ///
 /// The first two are read when a program is loaded, so it starts itself again once. Programs that it starts
 /// later have the user's GLIBC_TUNABLES, not its own.

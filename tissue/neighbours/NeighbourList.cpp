@@ -23,7 +23,9 @@ constexpr double mostLookedUp = 0.1;
 
 // A row that outgrew its room gets this much more than it needs.
 constexpr std::uint32_t spareEntries = 8;
-// No row keeps more than this.
+// Few rows are longer.
+constexpr std::size_t usualEntries = 32;
+// No row keeps more room than this.
 constexpr std::uint32_t mostSpare = 255;
 // When more than this share of the entries is abandoned, the list is built anew.
 constexpr double mostAbandoned = 0.25;
@@ -270,6 +272,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   const auto count = static_cast<std::ptrdiff_t>(names.size());
 #pragma omp parallel for schedule(dynamic, 16) if (count > 256)
   for (std::ptrdiff_t k = 0; k < count; ++k) {
+    found[k].reserve(usualEntries);
     appendInRange(names[k], found[k]);
     editsOf[k] = difference(names[k], found[k]);
   }
