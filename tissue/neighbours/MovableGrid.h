@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "CellLattice.h"
@@ -10,21 +10,18 @@
 namespace restenosis {
 
 /// Points in cubic cells of one size, for few points that move among many that stay: a move costs the same
-/// however many points there are. CellGrid is quicker to make and to read.
+/// however many points there are. CellGrid is quicker to make.
 class MovableGrid {
  public:
   /// `count` points, pointAt(k) the k-th of them, all finite; `cellSize` > 0 [m].
   template <class PointAt>
   MovableGrid(std::size_t count, const PointAt& pointAt, double cellSize)
-      : lattice_(count, pointAt, cellSize),
-        first_(lattice_.cellCount(), none),
-        next_(count, none),
-        cell_(count) {
+      : lattice_(count, pointAt, cellSize), cell_(count) {
     forEachInChunks(count, [&](std::size_t k) { cell_[k] = lattice_.cellOf(pointAt(k)); });
-    for (Index i = 0; i < size(); ++i) link(i, cell_[i]);
+    fill();
   }
 
-  Index size() const { return static_cast<Index>(next_.size()); }
+  Index size() const { return static_cast<Index>(cell_.size()); }
   /// Puts point i elsewhere; i = size() adds one.
   void place(Index i, const Vec3& point);
 
@@ -34,20 +31,27 @@ class MovableGrid {
   void forEachCandidate(const Vec3& point, double distance, F&& f) const {
     lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t cell = begin; cell < end; ++cell) {
-        for (Index j = first_[cell]; j != none; j = next_[j]) f(j);
+        const Bucket bucket = buckets_[cell];
+        for (std::uint32_t n = bucket.start; n < bucket.start + bucket.count; ++n) f(points_[n]);
       }
     });
   }
 
  private:
-  static constexpr Index none = std::numeric_limits<Index>::max();
-  void link(Index i, std::uint32_t cell);
-  void unlink(Index i);
+  /// Where a cell's points are in points_, and for how many there is room.
+  struct Bucket {
+    std::uint32_t start = 0, count = 0, room = 0;
+  };
+  /// Puts every point into the bucket of its cell, and these side by side.
+  void fill();
+  void add(Index i, std::uint32_t cell);
+  void take(Index i);
 
   CellLattice lattice_;
-  std::vector<Index> first_;         ///< of each cell's points
-  std::vector<Index> next_;          ///< of the same cell
   std::vector<std::uint32_t> cell_;  ///< of each point
+  std::vector<Bucket> buckets_;      ///< of each cell
+  std::vector<Index> points_;
+  std::size_t abandoned_ = 0;  ///< places of points_ that no bucket has any more
 };
 
 }  // namespace restenosis
