@@ -24,7 +24,7 @@ constexpr double day = secondsPerDay;
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
   double programBytes = 5e7;
-  double bytesPerAgent = 600;  ///< state, bonds, neighbour lists, output buffers
+  double bytesPerAgent = 450;  ///< state, bonds, neighbour lists, output buffers
   double bytesPerNode = 17;    ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
   double deploySecondsPerStep = 3e-6;  ///< per agent
