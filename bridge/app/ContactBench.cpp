@@ -37,9 +37,8 @@ struct Workload {
     exact = packSpheres(wall.agents, nobody);
     all.resize(wall.agents.size());
     std::iota(all.begin(), all.end(), Index{0});
-    const PairSource source{neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0};
-    for (std::size_t begin = 0; begin < all.size(); begin += PairRows::most)
-      rows.emplace_back().layOut(source, piece(begin), nobody);
+    rows.resize((all.size() + PairRows::most - 1) / PairRows::most);
+    layOut(rows);
     for (const Index i : all) {
       for (const Index j : neighbours.of(i)) {
         const double sum = wall.agents.radius[i] + wall.agents.radius[j];
@@ -48,6 +47,13 @@ struct Workload {
     }
     listed = 2.0 * static_cast<double>(neighbours.pairCount());
     bonds = 2.0 * static_cast<double>(wall.bonds.bondCount());
+  }
+  /// Makes the rows of pairs of all agents, in parallel.
+  void layOut(std::vector<PairRows>& of) const {
+    const PairSource source{neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0};
+    forEachPiece(all.size(), [&](std::size_t begin, std::size_t) {
+      of[begin / PairRows::most].layOut(source, piece(begin), wall.agents.size());
+    });
   }
   double agents() const { return static_cast<double>(all.size()); }
   std::span<const Index> piece(std::size_t begin) const {
@@ -75,6 +81,7 @@ struct Workload {
 struct Rates {
   double passes;       ///< force loops over all agents, in mixed precision [1/s]
   double exactPasses;  ///< the same in double precision [1/s]
+  double layOuts;      ///< rows of pairs of all agents [1/s]
   double builds;       ///< lists [1/s]
   MachineLimits machine;
 };
@@ -99,6 +106,8 @@ Rates measure(const Workload& work, int threads) {
   Rates rates{};
   rates.passes = passRate(work, FixedSpheres(work.fixed, work.scale.unit()), load);
   rates.exactPasses = passRate(work, ExactSpheres(work.exact), load);
+  std::vector<PairRows> rows(work.rows.size());
+  rates.layOuts = 1 / secondsPerCall([&] { work.layOut(rows); });
   rates.builds = 1 / secondsPerCall([&] { list.build(work.wall.agents, work.range); });
   rates.machine = measureMachine();
   omp_set_num_threads(before);
@@ -137,6 +146,8 @@ void benchContact(std::ostream& out) {
   row("pair terms, listed [million/s]", [&](const Rates& r) { return 1e-6 * r.passes * work.listed; });
   row("the same in double precision [million/s]",
       [&](const Rates& r) { return 1e-6 * r.exactPasses * work.listed; });
+  row("pairs laid out for the loop [million agents/s]",
+      [&](const Rates& r) { return 1e-6 * r.layOuts * work.agents(); });
   row("neighbour list, built anew [million agents/s]",
       [&](const Rates& r) { return 1e-6 * r.builds * work.agents(); });
   row("machine: memory copied [GB/s read + written]",

@@ -64,8 +64,9 @@ void MovableGrid::add(Index i, std::uint32_t cell) {
 
 void MovableGrid::take(Index i) {
   Bucket& bucket = buckets_[cell_[i]];
-  const auto first = points_.begin() + bucket.start;
-  *std::find(first, first + bucket.count, i) = first[--bucket.count];
+  const auto first = points_.begin() + bucket.start, last = first + bucket.count - 1;
+  *std::find(first, last, i) = *last;
+  --bucket.count;
 }
 
 }  // namespace restenosis
