@@ -74,7 +74,7 @@ TEST(StlText, WordsMayBeInAnyCase) {
 }
 
 TEST(StlText, AByteOrderMarkAndAMissingLastEndAreAccepted) {
-  expectTwoSolids("\xEF\xBB\xBF" + std::string(twoSolids));
+  expectTwoSolids(std::string("\xEF\xBB\xBF").append(twoSolids));
   expectTwoSolids(twoSolids.substr(0, twoSolids.rfind("endsolid")));
 }
 

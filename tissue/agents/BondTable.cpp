@@ -2,35 +2,19 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <utility>
-
-#include "Room.h"
 
 namespace restenosis {
 namespace {
 
 // Rows get room for so many bonds at a time.
-constexpr std::uint16_t moreRoom = 4;
-static_assert(BondTable::maxBonds % moreRoom == 0);
-// When so many places, and this share of them, are abandoned, the rows are moved together.
-constexpr std::size_t manyAbandoned = 4096;
-constexpr double mostAbandoned = 0.25;
+constexpr std::uint32_t moreRoom = 4;
+
+/// Which bonds come first in a row.
+bool before(const Bond& a, const Bond& b) { return a.partner < b.partner; }
 
 }  // namespace
-
-std::size_t BondTable::bondCount() const {
-  std::size_t ends = 0;
-  for (const Row& row : rows_) ends += row.count;
-  return ends / 2;
-}
-
-void BondTable::resize(Index agents) {
-  makeRoom(rows_, agents);
-  rows_.resize(agents);
-}
 
 bool BondTable::bonded(Index a, Index b) const {
   return std::ranges::any_of(of(a), [b](const Bond& bond) { return bond.partner == b; });
@@ -38,7 +22,7 @@ bool BondTable::bonded(Index a, Index b) const {
 
 bool BondTable::connect(Index a, Index b, double restLength) {
   assert(a != b);
-  if (rows_[a].count == maxBonds || rows_[b].count == maxBonds || bonded(a, b)) return false;
+  if (of(a).size() == maxBonds || of(b).size() == maxBonds || bonded(a, b)) return false;
   insert(a, {b, static_cast<float>(restLength)});
   insert(b, {a, static_cast<float>(restLength)});
   return true;
@@ -50,15 +34,13 @@ void BondTable::disconnect(Index a, Index b) {
 }
 
 void BondTable::disconnectAll(Index agent) {
-  while (rows_[agent].count > 0) disconnect(agent, of(agent).front().partner);
+  while (!of(agent).empty()) disconnect(agent, of(agent).front().partner);
 }
 
 void BondTable::reorder(std::span<const Index> order) {
   std::vector<Index> newIndex(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) newIndex[order[k]] = static_cast<Index>(k);
-  layOut(
-      static_cast<Index>(order.size()), [&](Index k) { return order[k]; },
-      [&](Index partner) { return newIndex[partner]; });
+  take(order, newIndex);
 }
 
 void BondTable::erase(std::span<const std::uint8_t> remove) {
@@ -71,62 +53,32 @@ void BondTable::erase(std::span<const std::uint8_t> remove) {
     newIndex[i] = static_cast<Index>(kept.size());
     kept.push_back(i);
   }
-  layOut(
-      static_cast<Index>(kept.size()), [&](Index k) { return kept[k]; },
-      [&](Index partner) { return newIndex[partner]; });
+  take(kept, newIndex);
 }
 
-template <class RowOf, class NameOf>
-void BondTable::layOut(Index agents, RowOf&& rowOf, NameOf&& nameOf) {
-  std::size_t ends = 0;
-  for (Index k = 0; k < agents; ++k) ends += rows_[rowOf(k)].count;
-  std::vector<Bond> bonds;
-  makeRoom(bonds, ends);
-  std::vector<Row> rows;
-  makeRoom(rows, agents);
-  for (Index k = 0; k < agents; ++k) {
-    const std::size_t start = bonds.size();
-    for (const Bond& bond : of(rowOf(k))) bonds.push_back({nameOf(bond.partner), bond.restLength});
-    std::sort(bonds.begin() + static_cast<std::ptrdiff_t>(start), bonds.end(),
-              [](const Bond& a, const Bond& b) { return a.partner < b.partner; });
-    const auto count = static_cast<std::uint16_t>(bonds.size() - start);
-    rows.push_back({.start = static_cast<std::uint32_t>(start), .count = count, .room = count});
+void BondTable::take(std::span<const Index> agents, std::span<const Index> newIndex) {
+  RowPool<Bond> rows;
+  rows.layOut(agents.size(), [&](std::size_t k) { return of(agents[k]).size(); });
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    std::ranges::transform(of(agents[k]), rows[k].begin(), [&](const Bond& bond) {
+      return Bond{.partner = newIndex[bond.partner], .restLength = bond.restLength};
+    });
+    std::ranges::sort(rows[k], before);
   }
-  bonds_ = std::move(bonds);
   rows_ = std::move(rows);
-  abandoned_ = 0;
-}
-
-void BondTable::widen(Row& row) {
-  if (bonds_.size() + maxBonds > std::numeric_limits<std::uint32_t>::max())
-    throw std::length_error("more bonds than four thousand million");
-  const Row before = row;
-  row.start = static_cast<std::uint32_t>(bonds_.size());
-  row.room = static_cast<std::uint16_t>(std::min<std::size_t>(maxBonds, before.room + moreRoom));
-  makeRoom(bonds_, bonds_.size() + row.room);
-  bonds_.resize(bonds_.size() + row.room);
-  std::copy_n(bonds_.begin() + before.start, before.count, bonds_.begin() + row.start);
-  abandoned_ += before.room;
 }
 
 void BondTable::insert(Index agent, Bond bond) {
-  if (rows_[agent].count == rows_[agent].room) {
-    if (abandoned_ > manyAbandoned &&
-        static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(bonds_.size()))
-      layOut(size(), std::identity{}, std::identity{});
-    widen(rows_[agent]);
-  }
-  Bond* const list = bonds_.data() + rows_[agent].start;
-  std::size_t n = rows_[agent].count++;
-  for (; n > 0 && list[n - 1].partner > bond.partner; --n) list[n] = list[n - 1];
-  list[n] = bond;
+  if (rows_.wasteful()) rows_.compact();
+  rows_.append(agent, bond, moreRoom - 1);
+  const std::span<Bond> row = rows_[agent];
+  std::rotate(std::upper_bound(row.begin(), row.end() - 1, bond, before), row.end() - 1, row.end());
 }
 
 void BondTable::remove(Index agent, Index partner) {
-  const auto list = bonds_.begin() + rows_[agent].start;
-  const auto last = std::remove_if(list, list + rows_[agent].count,
-                                   [&](const Bond& bond) { return bond.partner == partner; });
-  rows_[agent].count = static_cast<std::uint16_t>(last - list);
+  const std::span<Bond> row = rows_[agent];
+  const auto removed = std::ranges::remove(row, partner, &Bond::partner);
+  rows_.shorten(agent, row.size() - removed.size());
 }
 
 }  // namespace restenosis

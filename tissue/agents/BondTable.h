@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "AgentStore.h"
+#include "RowPool.h"
 
 namespace restenosis {
 
@@ -21,15 +22,12 @@ class BondTable {
  public:
   static constexpr std::size_t maxBonds = 12;
 
-  std::span<const Bond> of(Index agent) const {
-    const Row row = rows_[agent];
-    return {bonds_.data() + row.start, row.count};
-  }
+  std::span<const Bond> of(Index agent) const { return rows_[agent]; }
   Index size() const { return static_cast<Index>(rows_.size()); }
-  std::size_t bondCount() const;
+  std::size_t bondCount() const { return rows_.elementCount() / 2; }
 
   /// Makes room for `agents` agents; new ones have no bonds.
-  void resize(Index agents);
+  void resize(Index agents) { rows_.resize(agents); }
   bool bonded(Index a, Index b) const;
   /// Bonds a and b unless they are bonded or either has no room left; tells whether it did.
   bool connect(Index a, Index b, double restLength);
@@ -41,27 +39,16 @@ class BondTable {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(bonds_, rows_);
+    a(rows_);
   }
 
  private:
-  /// Where an agent's bonds are in bonds_, and for how many there is room.
-  struct Row {
-    std::uint32_t start = 0;
-    std::uint16_t count = 0, room = 0;
-  };
   void insert(Index agent, Bond bond);
   void remove(Index agent, Index partner);
-  /// Gives a row more room, at the end of bonds_.
-  void widen(Row& row);
-  /// Moves the rows together: afterwards agent k has the bonds of agent rowOf(k), whose partners are called
-  /// nameOf(partner) now.
-  template <class RowOf, class NameOf>
-  void layOut(Index agents, RowOf&& rowOf, NameOf&& nameOf);
+  /// Afterwards agent k has the bonds of agent agents[k], whose partners are called newIndex[partner] now.
+  void take(std::span<const Index> agents, std::span<const Index> newIndex);
 
-  std::vector<Bond> bonds_;
-  std::vector<Row> rows_;
-  std::size_t abandoned_ = 0;  ///< places of bonds_ that no row has any more; speed and memory only
+  RowPool<Bond> rows_;
 };
 
 }  // namespace restenosis

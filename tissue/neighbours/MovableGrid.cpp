@@ -9,25 +9,17 @@ namespace {
 
 // A bucket has room for so many more points, and gets this much when it has none.
 constexpr std::uint32_t spare = 1, moreRoom = 4;
-// When more than this share of the places is abandoned, the buckets are moved together.
-constexpr double mostAbandoned = 0.25;
 
 }  // namespace
 
 void MovableGrid::fill() {
-  buckets_.assign(lattice_.cellCount(), {});
-  abandoned_ = 0;
-  for (const std::uint32_t cell : cell_) ++buckets_[cell].room;
-  std::uint32_t end = 0;
-  for (Bucket& bucket : buckets_) {
-    bucket.start = end;
-    if (bucket.room > 0) bucket.room += spare;
-    end += bucket.room;
-  }
-  points_.resize(end);
+  std::vector<std::uint32_t> left(lattice_.cellCount());
+  for (const std::uint32_t cell : cell_) ++left[cell];
+  buckets_.layOut(
+      left.size(), [&](std::size_t cell) { return left[cell]; }, spare);
   for (Index i = 0; i < size(); ++i) {
-    Bucket& bucket = buckets_[cell_[i]];
-    points_[bucket.start + bucket.count++] = i;
+    const std::span<Index> bucket = buckets_[cell_[i]];
+    bucket[bucket.size() - left[cell_[i]]--] = i;
   }
 }
 
@@ -45,28 +37,14 @@ void MovableGrid::place(Index i, const Vec3& point) {
 }
 
 void MovableGrid::add(Index i, std::uint32_t cell) {
-  Bucket& bucket = buckets_[cell];
-  if (bucket.count == bucket.room) {
-    abandoned_ += bucket.room;
-    if (static_cast<double>(abandoned_) > mostAbandoned * static_cast<double>(points_.size())) {
-      fill();  // of this point too
-      return;
-    }
-    const Bucket before = bucket;
-    bucket.start = static_cast<std::uint32_t>(points_.size());
-    bucket.room += moreRoom;
-    makeRoom(points_, points_.size() + bucket.room);
-    points_.resize(points_.size() + bucket.room);
-    std::copy_n(points_.begin() + before.start, before.count, points_.begin() + bucket.start);
-  }
-  points_[bucket.start + bucket.count++] = i;
+  if (buckets_.wasteful()) buckets_.compact(spare);
+  buckets_.append(cell, i, moreRoom);
 }
 
 void MovableGrid::take(Index i) {
-  Bucket& bucket = buckets_[cell_[i]];
-  const auto first = points_.begin() + bucket.start, last = first + bucket.count - 1;
-  *std::find(first, last, i) = *last;
-  --bucket.count;
+  const std::span<Index> bucket = buckets_[cell_[i]];
+  *std::ranges::find(bucket, i) = bucket.back();
+  buckets_.shorten(cell_[i], bucket.size() - 1);
 }
 
 }  // namespace restenosis

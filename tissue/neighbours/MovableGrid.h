@@ -6,6 +6,7 @@
 
 #include "CellLattice.h"
 #include "Chunks.h"
+#include "RowPool.h"
 
 namespace restenosis {
 
@@ -31,27 +32,20 @@ class MovableGrid {
   void forEachCandidate(const Vec3& point, double distance, F&& f) const {
     lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t cell = begin; cell < end; ++cell) {
-        const Bucket bucket = buckets_[cell];
-        for (std::uint32_t n = bucket.start; n < bucket.start + bucket.count; ++n) f(points_[n]);
+        for (const Index j : buckets_[static_cast<std::size_t>(cell)]) f(j);
       }
     });
   }
 
  private:
-  /// Where a cell's points are in points_, and for how many there is room.
-  struct Bucket {
-    std::uint32_t start = 0, count = 0, room = 0;
-  };
-  /// Puts every point into the bucket of its cell, and these side by side.
+  /// Puts every point into the bucket of its cell.
   void fill();
   void add(Index i, std::uint32_t cell);
   void take(Index i);
 
   CellLattice lattice_;
   std::vector<std::uint32_t> cell_;  ///< of each point
-  std::vector<Bucket> buckets_;      ///< of each cell
-  std::vector<Index> points_;
-  std::size_t abandoned_ = 0;  ///< places of points_ that no bucket has any more
+  RowPool<Index> buckets_;           ///< the points of each cell
 };
 
 }  // namespace restenosis

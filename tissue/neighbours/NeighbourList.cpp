@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "CellGrid.h"
 #include "Chunks.h"
@@ -25,10 +26,6 @@ constexpr double mostLookedUp = 0.1;
 constexpr std::uint32_t spareEntries = 8;
 // Few rows are longer.
 constexpr std::size_t usualEntries = 32;
-// No row keeps more room than this.
-constexpr std::uint32_t mostSpare = 255;
-// When more than this share of the entries is abandoned, the list is built anew.
-constexpr double mostAbandoned = 0.25;
 
 // No agent has this index.
 constexpr Index none = std::numeric_limits<Index>::max();
@@ -121,13 +118,6 @@ std::uint64_t hashOfNames(const AgentStore& agents, std::size_t piece, std::size
   return XXH3_64bits(agents.id.data() + begin, (end - begin) * sizeof(AgentId));
 }
 
-/// Where a row begins. Throws std::length_error for a list of more entries than its rows can tell apart.
-std::uint32_t startOf(std::size_t entry) {
-  if (entry > std::numeric_limits<std::uint32_t>::max())
-    throw std::length_error("a neighbour list of more than four thousand million entries");
-  return static_cast<std::uint32_t>(entry);
-}
-
 }  // namespace
 
 NeighbourList::Anchor::Anchor(const Vec3& place, double agentRadius, bool isDaughter, double allowed)
@@ -144,7 +134,7 @@ NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
 
 void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
   range_ = range;
-  rows_.clear();  // should a position be found wrong below, there is no list
+  RowPool<Index> rows = std::exchange(rows_, {});  // should a position be found wrong below, there is no list
   grid_.reset();
   anchors_.resize(agents.size());
   for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
@@ -157,30 +147,21 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   const Index count = size();
   const auto chunks = static_cast<std::ptrdiff_t>((count + chunk - 1) / chunk);
   std::vector<std::vector<Index>> parts(chunks);
-  std::vector<Row> rows = std::move(rows_);
-  rows.assign(count, Row{});
+  std::vector<std::uint32_t> lengths(count);
 #pragma omp parallel for schedule(dynamic) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const auto begin = static_cast<Index>(c) * chunk;
     for (Index i = begin; i < std::min(count, begin + chunk); ++i) {
       const std::size_t first = parts[c].size();
       search.append(i, anchors_[i], parts[c]);
-      rows[i].count = static_cast<std::uint32_t>(parts[c].size() - first);
+      lengths[i] = static_cast<std::uint32_t>(parts[c].size() - first);
     }
   }
-  std::size_t end = 0;
-  for (Row& row : rows) {
-    row.start = startOf(end);
-    end += row.count;
-  }
-  neighbours_.resize(end);
+  rows.layOut(count, [&](std::size_t i) { return lengths[i]; });
 #pragma omp parallel for schedule(static) if (chunks > 1)
-  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-    const Row& first = rows[static_cast<Index>(c) * chunk];
-    std::ranges::copy(parts[c], neighbours_.begin() + static_cast<std::ptrdiff_t>(first.start));
-  }
+  for (std::ptrdiff_t c = 0; c < chunks; ++c)
+    std::ranges::copy(parts[c], rows[static_cast<Index>(c) * chunk].data());
   rows_ = std::move(rows);
-  abandoned_ = 0;
 }
 
 NeighbourList::Change NeighbourList::update(const AgentStore& agents, const NeighbourRange& range) {
@@ -202,14 +183,7 @@ NeighbourList::Change NeighbourList::update(const AgentStore& agents, std::span<
 }
 
 bool NeighbourList::worthLookingUp(std::size_t agents) const {
-  return static_cast<double>(agents) <= mostLookedUp * size() &&
-         static_cast<double>(abandoned_) <= mostAbandoned * static_cast<double>(neighbours_.size());
-}
-
-std::size_t NeighbourList::pairCount() const {
-  std::size_t entries = 0;
-  for (const Row& row : rows_) entries += row.count;
-  return entries / 2;
+  return static_cast<double>(agents) <= mostLookedUp * size() && !rows_.wasteful();
 }
 
 void NeighbourList::noteNames(const AgentStore& agents, Index first) {
@@ -256,7 +230,6 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   if (!grid_) grid_.emplace(anchors_.size(), placesOf(anchors_), widestReach(range_, largestRadius_));
   const Index known = size();
   makeRoom(anchors_, agents.size());
-  makeRoom(rows_, agents.size());
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
   stale_.resize(agents.size(), 0);
@@ -283,7 +256,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
     stale_[names[k]] = 0;
     if (editsOf[k].empty() && names[k] < known) continue;
     changed.push_back(names[k]);
-    setRow(names[k], found[k]);
+    rows_.set(names[k], found[k], spareEntries);
     std::ranges::copy_if(editsOf[k], std::back_inserter(edits),
                          [&](const Edit& edit) { return edit.row != none; });
   }
@@ -294,7 +267,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
     while (end < edits.size() && edits[end].row == edits[first].row) ++end;
     edited.push_back(edits[first].row);
     apply(std::span(edits).subspan(first, end - first), row);
-    setRow(edits[first].row, row);
+    rows_.set(edits[first].row, row, spareEntries);
     first = end;
   }
   std::vector<Index> all;
@@ -329,24 +302,6 @@ void NeighbourList::apply(std::span<const Edit> edits, std::vector<Index>& row) 
       row.push_back(j);
   }
   for (; edit != edits.end(); ++edit) row.push_back(edit->neighbour);
-}
-
-void NeighbourList::setRow(Index i, const std::vector<Index>& row) {
-  Row& place = rows_[i];
-  const auto count = static_cast<std::uint32_t>(row.size());
-  if (count <= place.room()) {
-    const std::uint32_t left = place.room() - count;
-    place.spare = std::min(left, mostSpare);
-    abandoned_ += left - place.spare;
-  } else {
-    abandoned_ += place.room();
-    place.start = startOf(neighbours_.size());
-    place.spare = spareEntries;
-    makeRoom(neighbours_, neighbours_.size() + count + spareEntries);
-    neighbours_.resize(neighbours_.size() + count + spareEntries);
-  }
-  place.count = count;
-  std::ranges::copy(row, neighbours_.begin() + static_cast<std::ptrdiff_t>(place.start));
 }
 
 }  // namespace restenosis

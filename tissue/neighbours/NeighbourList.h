@@ -9,6 +9,7 @@
 
 #include "AgentStore.h"
 #include "MovableGrid.h"
+#include "RowPool.h"
 
 namespace restenosis {
 
@@ -52,9 +53,9 @@ class NeighbourList {
   /// Whether an update looks so many agents up instead of building the list anew.
   bool worthLookingUp(std::size_t agents) const;
 
-  std::span<const Index> of(Index i) const { return {neighbours_.data() + rows_[i].start, rows_[i].count}; }
+  std::span<const Index> of(Index i) const { return rows_[i]; }
   Index size() const { return static_cast<Index>(anchors_.size()); }
-  std::size_t pairCount() const;
+  std::size_t pairCount() const { return rows_.elementCount() / 2; }
   /// Whether the agents of the list are still the first, in the same order.
   bool sameAgents(const AgentStore& agents) const;
 
@@ -87,12 +88,6 @@ class NeighbourList {
     float allowance_ = 0;
   };
   static_assert(sizeof(Anchor) == 32);
-  /// Where an agent's neighbours are in neighbours_, and for how many more there is room.
-  struct Row {
-    std::uint32_t start = 0;
-    std::uint32_t count : 24 = 0, spare : 8 = 0;
-    std::uint32_t room() const { return count + spare; }
-  };
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
   /// Whether agent i of `agents` has no room.
   bool movedTooFar(const AgentStore& agents, Index i) const { return !(room(i, agents.position(i)) >= 0); }
@@ -116,7 +111,6 @@ class NeighbourList {
   std::vector<Edit> difference(Index i, const std::vector<Index>& row) const;
   /// The row that these edits, all of one and sorted, make of the one listed.
   void apply(std::span<const Edit> edits, std::vector<Index>& row) const;
-  void setRow(Index i, const std::vector<Index>& row);
 
   /// Notes the names of the agents from `first` on.
   void noteNames(const AgentStore& agents, Index first);
@@ -124,9 +118,7 @@ class NeighbourList {
   NeighbourRange range_;
   std::vector<Anchor> anchors_;
   std::vector<std::uint64_t> names_;  ///< of each piece of agents, in their order: a hash
-  std::vector<Row> rows_;
-  std::vector<Index> neighbours_;
-  std::size_t abandoned_ = 0;        ///< entries of neighbours_ that no row uses any more
+  RowPool<Index> rows_;
   std::optional<MovableGrid> grid_;  ///< of the anchors; made when agents are first looked up
   double largestRadius_ = 0;         ///< of all anchors since the last build [m]
   std::vector<std::uint8_t> stale_;  ///< scratch of lookUp

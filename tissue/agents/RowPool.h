@@ -1,0 +1,141 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "Room.h"
+
+namespace restenosis {
+
+/// Rows of elements, short and of many lengths, in one array. A row that outgrows its room moves to the end
+/// of the array, and what it leaves is abandoned until the rows are moved together.
+template <class T>
+class RowPool {
+ public:
+  static constexpr std::uint32_t mostSpare = 255;  ///< elements for which a row may have room beyond its own
+
+  std::size_t size() const { return rows_.size(); }
+  bool empty() const { return rows_.empty(); }
+  std::span<const T> operator[](std::size_t row) const {
+    return {elements_.data() + rows_[row].start, rows_[row].count};
+  }
+  std::span<T> operator[](std::size_t row) { return {elements_.data() + rows_[row].start, rows_[row].count}; }
+  /// How many elements all rows have.
+  std::size_t elementCount() const {
+    std::size_t elements = 0;
+    for (const Row& row : rows_) elements += row.count;
+    return elements;
+  }
+
+  /// Appends empty rows, or drops the last, until there are so many.
+  void resize(std::size_t rows) {
+    makeRoom(rows_, rows);
+    rows_.resize(rows);
+  }
+  /// Makes the pool one of so many rows side by side, the k-th of countOf(k) elements that are yet to be set,
+  /// each with room for `spare` more if it has any. Throws std::length_error as append() does.
+  template <class CountOf>
+  void layOut(std::size_t rows, const CountOf& countOf, std::uint32_t spare = 0) {
+    rows_.clear();
+    resize(rows);
+    abandoned_ = 0;
+    std::size_t end = 0;
+    for (std::size_t k = 0; k < rows; ++k) {
+      const std::size_t count = countOf(k);
+      rows_[k] = rowAt(end, count, count > 0 ? spare : 0);
+      end += rows_[k].room();
+    }
+    if (end > elements_.capacity()) elements_ = {};  // what it holds need not be copied
+    makeRoom(elements_, end);
+    elements_.resize(end);
+  }
+  /// Moves the rows together, each with room for `spare` more elements if it has any.
+  void compact(std::uint32_t spare = 0) {
+    RowPool together;
+    together.layOut(
+        size(), [this](std::size_t k) { return rows_[k].count; }, spare);
+    for (std::size_t k = 0; k < size(); ++k) std::ranges::copy(std::as_const(*this)[k], together[k].begin());
+    *this = std::move(together);
+  }
+  /// Whether much of the array is abandoned, so that moving the rows together pays.
+  bool wasteful() const { return 4 * abandoned_ > elements_.size(); }
+
+  /// Replaces a row; where there is no room for it, it gets room for `spare` more, at most mostSpare.
+  void set(std::size_t row, std::span<const T> elements, std::uint32_t spare) {
+    if (elements.size() > rows_[row].room()) {
+      move(row, elements.size(), spare);
+    } else {
+      resizeInPlace(rows_[row], elements.size());
+    }
+    std::ranges::copy(elements, (*this)[row].begin());
+  }
+  /// Appends an element to a row; where there is no room for it, the row gets room for `spare` more. Throws
+  /// std::length_error for more elements than rows can tell apart.
+  void append(std::size_t row, const T& element, std::uint32_t spare) {
+    const Row before = rows_[row];
+    if (before.spare > 0) {
+      resizeInPlace(rows_[row], before.count + 1);
+    } else {
+      move(row, before.count + 1, spare);
+      std::copy_n(elements_.begin() + before.start, before.count, elements_.begin() + rows_[row].start);
+    }
+    (*this)[row].back() = element;
+  }
+  /// Drops the last elements of a row, until `count` are left.
+  void shorten(std::size_t row, std::size_t count) {
+    assert(count <= rows_[row].count);
+    resizeInPlace(rows_[row], count);
+  }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(elements_, rows_);
+  }
+
+ private:
+  /// Where a row's elements are, and for how many more there is room.
+  struct Row {
+    std::uint32_t start = 0;
+    std::uint32_t count : 24 = 0, spare : 8 = 0;
+    std::uint32_t room() const { return count + spare; }
+  };
+  static constexpr std::size_t mostElements = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t longest = (1U << 24) - 1;
+
+  static Row rowAt(std::size_t start, std::size_t count, std::uint32_t spare) {
+    if (count > longest || start > mostElements - count - spare)
+      throw std::length_error("rows of more than four thousand million elements, or one of 16 million");
+    Row row;
+    row.start = static_cast<std::uint32_t>(start);
+    row.count = static_cast<std::uint32_t>(count);
+    row.spare = std::min(spare, mostSpare);
+    return row;
+  }
+  void resizeInPlace(Row& row, std::size_t count) {
+    const std::uint32_t room = row.room();
+    row.count = static_cast<std::uint32_t>(count);
+    row.spare = std::min(room - row.count, mostSpare);
+    abandoned_ += room - row.room();
+  }
+  /// Gives a row other room, at the end; its elements are yet to be set.
+  void move(std::size_t row, std::size_t count, std::uint32_t spare) {
+    const Row place = rowAt(elements_.size(), count, spare);
+    makeRoom(elements_, elements_.size() + place.room());
+    elements_.resize(elements_.size() + place.room());
+    abandoned_ += rows_[row].room();
+    rows_[row] = place;
+  }
+
+  std::vector<T> elements_;
+  std::vector<Row> rows_;
+  std::size_t abandoned_ = 0;  ///< of elements_, that belong to no row; speed and memory only
+};
+
+}  // namespace restenosis
