@@ -1,6 +1,9 @@
 #pragma once
 
+#include <omp.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -19,14 +22,36 @@ inline constexpr std::ptrdiff_t chunkSize = 256;
 inline constexpr std::ptrdiff_t parallelFrom = 2048, parallelLookFrom = 16384;
 inline constexpr std::ptrdiff_t parallelHeavyFrom = 512, heavyChunkSize = 64;
 
-/// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel where count >= from.
+/// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel where count >= from. Every
+/// thread takes the pieces of its own share first, in order, then what is left of the others': what one loop
+/// brought into a core's cache the next finds there, and nobody waits for a core that has other work.
 template <class F>
 void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom,
                   std::ptrdiff_t size = chunkSize) {
-  const auto end = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for schedule(dynamic) if (end >= from)
-  for (std::ptrdiff_t begin = 0; begin < end; begin += size)
-    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + size)));
+  const auto all = static_cast<std::ptrdiff_t>(count), pieces = (all + size - 1) / size;
+  const auto take = [&](std::ptrdiff_t piece) {
+    f(static_cast<std::size_t>(piece * size), static_cast<std::size_t>(std::min(all, (piece + 1) * size)));
+  };
+  if (all < from || omp_get_max_threads() == 1) {
+    for (std::ptrdiff_t piece = 0; piece < pieces; ++piece) take(piece);
+    return;
+  }
+  struct alignas(64) Share {
+    std::atomic<std::ptrdiff_t> next;
+    std::ptrdiff_t end;
+  };
+  std::vector<Share> shares(static_cast<std::size_t>(omp_get_max_threads()));
+  const auto threads = static_cast<std::ptrdiff_t>(shares.size());
+  for (std::ptrdiff_t t = 0; t < threads; ++t) {
+    shares[t].next = pieces * t / threads;
+    shares[t].end = pieces * (t + 1) / threads;
+  }
+#pragma omp parallel
+  for (std::ptrdiff_t n = 0; n < threads; ++n) {
+    Share& share = shares[(omp_get_thread_num() + n) % threads];
+    for (std::ptrdiff_t piece; (piece = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
+      take(piece);
+  }
 }
 
 /// The same for elements that each take microseconds.
@@ -47,14 +72,12 @@ void forEachInChunks(std::size_t count, F&& f) {
 /// order: total.join(part).
 template <class Sum, class F>
 Sum reducePieces(std::size_t count, F&& f) {
-  const auto end = static_cast<std::ptrdiff_t>(count);
   std::vector<Sum> parts((count + chunkSize - 1) / chunkSize);
-#pragma omp parallel for schedule(dynamic) if (end >= parallelFrom)
-  for (std::ptrdiff_t begin = 0; begin < end; begin += chunkSize) {
+  forEachPiece(count, [&](std::size_t begin, std::size_t end) {
     Sum part{};
-    f(static_cast<std::size_t>(begin), static_cast<std::size_t>(std::min(end, begin + chunkSize)), part);
+    f(begin, end, part);
     parts[begin / chunkSize] = part;
-  }
+  });
   Sum total{};
   for (const Sum& part : parts) total.join(part);
   return total;
