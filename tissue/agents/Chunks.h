@@ -96,7 +96,13 @@ template <class F>
 std::vector<Index> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
   std::vector<std::vector<Index>> parts((count + chunkSize - 1) / chunkSize);
   forEachPiece(
-      count, [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / chunkSize]); }, from);
+      count,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> told;  // one of its own: those in `parts` share cache lines
+        f(begin, end, told);
+        parts[begin / chunkSize] = std::move(told);
+      },
+      from);
   std::size_t size = 0;
   for (const auto& part : parts) size += part.size();
   std::vector<Index> all;

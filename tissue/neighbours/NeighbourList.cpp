@@ -24,8 +24,9 @@ constexpr double mostLookedUp = 0.1;
 
 // A row that outgrew its room gets this much more than it needs.
 constexpr std::uint32_t spareEntries = 8;
-// Few rows are longer.
-constexpr std::size_t usualEntries = 32;
+// Agents of a piece whose rows are found by one thread: when all are, and when some are looked up, and then
+// how many are worth waking other threads for.
+constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 256;
 
 // No agent has this index.
 constexpr Index none = std::numeric_limits<Index>::max();
@@ -141,26 +142,29 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   largestRadius_ = 0;
   for (const Anchor& anchor : anchors_) largestRadius_ = std::max(largestRadius_, anchor.radius());
   noteNames(agents, 0);
-  const SearchOfAll search(anchors_, range, largestRadius_);
+  const SearchOfAll searchOfAll(anchors_, range, largestRadius_);
 
-  constexpr Index chunk = 512;
-  const Index count = size();
-  const auto chunks = static_cast<std::ptrdiff_t>((count + chunk - 1) / chunk);
-  std::vector<std::vector<Index>> parts(chunks);
+  const std::size_t count = anchors_.size();
+  std::vector<std::vector<Index>> parts((count + agentsOfPiece - 1) / agentsOfPiece);
   std::vector<std::uint32_t> lengths(count);
-#pragma omp parallel for schedule(dynamic) if (chunks > 1)
-  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-    const auto begin = static_cast<Index>(c) * chunk;
-    for (Index i = begin; i < std::min(count, begin + chunk); ++i) {
-      const std::size_t first = parts[c].size();
-      search.append(i, anchors_[i], parts[c]);
-      lengths[i] = static_cast<std::uint32_t>(parts[c].size() - first);
+  const auto search = [&](std::size_t begin, std::size_t end) {
+    thread_local std::vector<Index> found;
+    found.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t first = found.size();
+      searchOfAll.append(static_cast<Index>(i), anchors_[i], found);
+      lengths[i] = static_cast<std::uint32_t>(found.size() - first);
     }
-  }
+    parts[begin / agentsOfPiece] = found;
+  };
+  forEachPiece(count, search, agentsOfPiece, agentsOfPiece);
   rows.layOut(count, [&](std::size_t i) { return lengths[i]; });
-#pragma omp parallel for schedule(static) if (chunks > 1)
-  for (std::ptrdiff_t c = 0; c < chunks; ++c)
-    std::ranges::copy(parts[c], rows[static_cast<Index>(c) * chunk].data());
+  forEachPiece(
+      count,
+      [&](std::size_t begin, std::size_t) {
+        std::ranges::copy(parts[begin / agentsOfPiece], rows[begin].data());
+      },
+      agentsOfPiece, agentsOfPiece);
   rows_ = std::move(rows);
 }
 
@@ -242,19 +246,23 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   if (agents.size() > known) noteNames(agents, known);
   std::vector<std::vector<Index>> found(names.size());
   std::vector<std::vector<Edit>> editsOf(names.size());
-  const auto count = static_cast<std::ptrdiff_t>(names.size());
-#pragma omp parallel for schedule(dynamic, 16) if (count > 256)
-  for (std::ptrdiff_t k = 0; k < count; ++k) {
-    found[k].reserve(usualEntries);
-    appendInRange(names[k], found[k]);
-    editsOf[k] = difference(names[k], found[k]);
-  }
+  const auto isNew = [known](Index i) { return i >= known; };
+  const auto lookAt = [&](std::size_t begin, std::size_t end) {
+    thread_local std::vector<Index> row;
+    for (std::size_t k = begin; k < end; ++k) {
+      row.clear();
+      appendInRange(names[k], row);
+      editsOf[k] = difference(names[k], row);
+      if (!editsOf[k].empty() || isNew(names[k])) found[k] = row;
+    }
+  };
+  forEachPiece(names.size(), lookAt, parallelFromLookUps, lookUpsOfPiece);
 
   std::vector<Index> changed;
   std::vector<Edit> edits;  // of rows whose agents were not looked up themselves
   for (std::size_t k = 0; k < names.size(); ++k) {
     stale_[names[k]] = 0;
-    if (editsOf[k].empty() && names[k] < known) continue;
+    if (editsOf[k].empty() && !isNew(names[k])) continue;
     changed.push_back(names[k]);
     rows_.set(names[k], found[k], spareEntries);
     std::ranges::copy_if(editsOf[k], std::back_inserter(edits),
