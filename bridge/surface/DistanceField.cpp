@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace restenosis {
 namespace {
@@ -118,6 +119,7 @@ GridField closeByBall(const GridField& distance, double probe, double clip) {
   std::vector<std::vector<Ball>> samples(g.nz);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < g.nz; ++k) {
+    std::vector<Ball> plane;  // of the thread's own: those in `samples` share cache lines
     for (int j = 0; j < g.ny; ++j) {
       for (int i = 0; i < g.nx; ++i) {
         const float here = d[g.index(i, j, k)] - p;
@@ -125,14 +127,14 @@ GridField closeByBall(const GridField& distance, double probe, double clip) {
           const float there = d[g.index(i + di, j + dj, k + dk)] - p;
           if ((here >= 0) == (there >= 0)) return;
           const double t = here / (static_cast<double>(here) - there);
-          samples[k].push_back(
-              {g.node(i, j, k) + t * (g.node(i + di, j + dj, k + dk) - g.node(i, j, k)), probe});
+          plane.push_back({g.node(i, j, k) + t * (g.node(i + di, j + dj, k + dk) - g.node(i, j, k)), probe});
         };
         if (i + 1 < g.nx) cross(1, 0, 0);
         if (j + 1 < g.ny) cross(0, 1, 0);
         if (k + 1 < g.nz) cross(0, 0, 1);
       }
     }
+    samples[k] = std::move(plane);
   }
   std::vector<Ball> balls;
   for (const auto& plane : samples) balls.insert(balls.end(), plane.begin(), plane.end());

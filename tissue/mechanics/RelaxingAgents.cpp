@@ -59,8 +59,11 @@ void RelaxingAgents::advance() {
   });
   if (far.found) forces_.updateLists(awake_, relisted_);
   std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
-  forces_.evaluate(awake_,
-                   [&](std::size_t begin, std::size_t end) { look(begin, end, parts[begin / chunkSize]); });
+  forces_.evaluate(awake_, [&](std::size_t begin, std::size_t end) {
+    Sight part;
+    look(begin, end, part);
+    parts[begin / chunkSize] = part;
+  });
   sight_.emplace();
   for (const Sight& part : parts) sight_->join(part);
 }
