@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "Chunks.h"
@@ -34,6 +35,30 @@ TEST(Chunks, JoinWhatPiecesTellInTheirOrder) {
     out.push_back(static_cast<Index>(end));
   });
   EXPECT_EQ(told, (std::vector<Index>{0, 256, 256, 512, 512, 768, 768, 1000}));
+}
+
+TEST(Chunks, TakeEveryElementOnceWithAnyNumberOfThreads) {
+  const int before = omp_get_max_threads();
+  for (const int threads : {1, 2, 3, 7}) {
+    omp_set_num_threads(threads);
+    for (const std::size_t count : counts) {
+      std::vector<int> taken(count, 0);
+      forEachInChunks(count, [&](std::size_t k) { ++taken[k]; });
+      EXPECT_EQ(std::ranges::count(taken, 1), static_cast<std::ptrdiff_t>(count)) << threads << " threads";
+    }
+  }
+  omp_set_num_threads(before);
+}
+
+TEST(Chunks, TakeEveryElementOnceInALoopWithinALoop) {
+  std::vector<int> taken(20 * parallelFrom, 0);
+  forEachPiece(
+      20,
+      [&](std::size_t begin, std::size_t) {
+        forEachInChunks(parallelFrom, [&](std::size_t k) { ++taken[begin * parallelFrom + k]; });
+      },
+      1, 1);
+  EXPECT_EQ(std::ranges::count(taken, 1), std::ssize(taken));
 }
 
 }  // namespace

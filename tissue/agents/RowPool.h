@@ -67,7 +67,8 @@ class RowPool {
   /// Whether much of the array is abandoned, so that moving the rows together pays.
   bool wasteful() const { return 4 * abandoned_ > elements_.size(); }
 
-  /// Replaces a row; where there is no room for it, it gets room for `spare` more, at most mostSpare.
+  /// Replaces a row by elements that are not in the pool; where there is no room for them, it gets room for
+  /// `spare` more, at most mostSpare.
   void set(std::size_t row, std::span<const T> elements, std::uint32_t spare) {
     if (elements.size() > rows_[row].room()) {
       move(row, elements.size(), spare);
@@ -78,7 +79,7 @@ class RowPool {
   }
   /// Appends an element to a row; where there is no room for it, the row gets room for `spare` more. Throws
   /// std::length_error for more elements than rows can tell apart.
-  void append(std::size_t row, const T& element, std::uint32_t spare) {
+  void append(std::size_t row, T element, std::uint32_t spare) {
     const Row before = rows_[row];
     if (before.spare > 0) {
       resizeInPlace(rows_[row], before.count + 1);
