@@ -61,13 +61,13 @@ struct Case {
   LatticeBoundary boundary;
 };
 
-struct Rates {
+struct LatticeRates {
   double updates;  ///< fluid nodes [1/s]
   double limit;    ///< at the machine's in-place rate [1/s]
 };
 
 template <class Real>
-Rates measure(const Case& work, int threads) {
+LatticeRates measure(const Case& work, int threads) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
   LatticeRelaxation relaxation;
@@ -99,7 +99,7 @@ void benchLattice(std::ostream& out) {
              static_cast<double>(work.boundary.wall.size()) /
                  static_cast<double>(work.lattice->layout.fluidNodes()));
   fmt::print(out, "{:<12}{:>10}{:>12}{:>12}{:>12}\n", "precision", "threads", "updates", "limit", "share");
-  const auto row = [&](const char* precision, int threads, const Rates& r) {
+  const auto row = [&](const char* precision, int threads, const LatticeRates& r) {
     fmt::print(out, "{:<12}{:>10}{:>12.4g}{:>12.4g}{:>11.1f}%\n", precision, threads, 1e-6 * r.updates,
                1e-6 * r.limit, 100 * r.updates / r.limit);
   };

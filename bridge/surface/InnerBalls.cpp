@@ -12,7 +12,7 @@ constexpr double shortfall = 0.01;
 constexpr int mostPushes = 24;
 /// Cosine between inward normals below which two faces are the two sides of a thin part (assumed): they are
 /// parallel, or a wedge of less than 45 degrees.
-constexpr double facing = -0.7;
+constexpr double oppositeCosine = -0.7;
 /// A ball that does not fit is made smaller by this at least.
 constexpr double smaller = 0.95;
 
@@ -58,7 +58,7 @@ std::optional<Ball> InnerBalls::ofRadius(double& radius, const Vec3& place, cons
     const Vec3 inwards = inside ? Vec3((centre - near.point) / near.distance) : Vec3(-outwards);
     for (const Contact& contact : contacts) {
       const double gap = (near.point - contact.place).norm();
-      if (inwards.dot(contact.inwards) > facing || gap >= 2 * radius) continue;
+      if (inwards.dot(contact.inwards) > oppositeCosine || gap >= 2 * radius) continue;
       radius = std::min(smaller * radius, gap / 2);
       return std::nullopt;
     }

@@ -26,7 +26,7 @@ constexpr double leastAreaRatio = 0.01;
 /// Diameters that a lumen may have [m] (assumed; the largest is that of `vessel.lumenDiameter`).
 constexpr double leastDiameter = 0.02e-3, largestDiameter = 50e-3;
 /// How far the vertices of a flat surface are from its plane, over its length (assumed).
-constexpr double flatness = 1e-6;
+constexpr double flatDepth = 1e-6;
 
 /// Refuses what lies in a plane, such as a single triangle.
 void requireDepth(const TriSurface& s) {
@@ -35,7 +35,7 @@ void requireDepth(const TriSurface& s) {
   const FittedPlane plane = fitPlane(s, all);
   double reach = 0.0;
   for (const Vec3& v : s.vertices) reach = std::max(reach, (v - plane.centre).norm());
-  if (plane.departure <= flatness * reach)
+  if (plane.departure <= flatDepth * reach)
     refuseLumen(fmt::format("it encloses no lumen: it is flat, {} {}", s.triangles.size(),
                             s.triangles.size() == 1 ? "triangle" : "triangles in one plane"));
 }

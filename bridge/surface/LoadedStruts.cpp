@@ -17,18 +17,18 @@ namespace restenosis {
 namespace {
 
 /// Volume of a piece, over that of a cube of the same area, below which it is flat (assumed).
-constexpr double flatness = 1e-9;
+constexpr double flatVolume = 1e-9;
 
 /// Volume [m^3] and area [m^2] of a piece, and one of its vertices.
-struct Piece {
+struct StrutPiece {
   Vec3 origin = Vec3::Zero();
   double volume = 0, area = 0;
 };
 
-std::vector<Piece> measure(const TriSurface& s, const std::vector<std::uint32_t>& pieceOf) {
-  std::vector<Piece> pieces(1 + std::ranges::max(pieceOf));
+std::vector<StrutPiece> measure(const TriSurface& s, const std::vector<std::uint32_t>& pieceOf) {
+  std::vector<StrutPiece> pieces(1 + std::ranges::max(pieceOf));
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    Piece& piece = pieces[pieceOf[t]];
+    StrutPiece& piece = pieces[pieceOf[t]];
     if (piece.area == 0) piece.origin = s.vertices[s.triangles[t][0]];
     piece.volume += (s.vertices[s.triangles[t][0]] - piece.origin).dot(s.areaVector(t)) / 3;
     piece.area += s.areaVector(t).norm();
@@ -56,9 +56,9 @@ TriSurface loadStruts(const std::filesystem::path& file, double metresPerUnit) {
                     "allowed are closed surfaces",
                     edges.open.size(), shownPlace(s.vertices[edges.open.front()[0]])));
   if (edges.opposed > 0) refuse("the struts' surface has only one side, like a Moebius strip");
-  const std::vector<Piece> pieces = measure(s, pieceOf);
-  for (const Piece& piece : pieces)
-    if (std::abs(piece.volume) <= flatness * std::pow(piece.area / 6, 1.5))
+  const std::vector<StrutPiece> pieces = measure(s, pieceOf);
+  for (const StrutPiece& piece : pieces)
+    if (std::abs(piece.volume) <= flatVolume * std::pow(piece.area / 6, 1.5))
       refuse(fmt::format("a piece of the struts' surface, at {}, encloses nothing: it is flat",
                          shownPlace(piece.origin)));
   for (std::size_t t = 0; t < s.triangles.size(); ++t)

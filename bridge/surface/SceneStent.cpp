@@ -11,6 +11,7 @@
 
 #include "Cylindrical.h"
 #include "LengthUnit.h"
+#include "LengthUnits.h"
 #include "LoadedStruts.h"
 #include "SolidCover.h"
 #include "StrutAgents.h"
@@ -18,8 +19,6 @@
 
 namespace restenosis {
 namespace {
-
-constexpr double um = 1e-6;
 
 /// Share of the struts' surface that may be at places too thin for any sphere, such as sharp edges (assumed).
 constexpr double mostTooThin = 0.1;

@@ -33,7 +33,7 @@ constexpr std::array allRegions{SurfaceRegion::wall, SurfaceRegion::strut, Surfa
 constexpr double mergedWithin = 1e-6;
 /// Distance from the middle of a surface, over that of half of its vertices, beyond which a vertex is astray
 /// (assumed).
-constexpr double farthest = 1e3;
+constexpr double astray = 1e3;
 /// What single precision rounds by, relative, and most of that over a surface's width (assumed).
 constexpr double singleRounding = 0x1p-24, mostRounding = 1e-3;
 
@@ -54,7 +54,7 @@ void refuseStrayVertex(const StlTriangles& triangles, const std::filesystem::pat
     distances.push_back((Vec3(coordinates[0][v], coordinates[1][v], coordinates[2][v]) - middle).norm());
   const double usual = medianOf(distances);
   const auto stray = std::max_element(distances.begin(), distances.end());
-  if (usual == 0.0 || *stray <= farthest * usual) return;
+  if (usual == 0.0 || *stray <= astray * usual) return;
   const auto v = static_cast<std::size_t>(stray - distances.begin());
   throw std::runtime_error(fmt::format(
       "{} has a vertex far from all others: ({:g}, {:g}, {:g}) in triangle {} of {}", file.string(),

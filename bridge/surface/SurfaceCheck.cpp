@@ -28,7 +28,8 @@ bool isIndexed(const TriSurface& s, SurfaceReport& report) {
                     std::all_of(s.triangles.begin(), s.triangles.end(), [&](const auto& t) {
                       return std::max({t[0], t[1], t[2]}) < s.vertices.size();
                     });
-  if (!good) report.violations.push_back("a triangle names a vertex that does not exist, or has no region");
+  if (!good)
+    report.violations.emplace_back("a triangle names a vertex that does not exist, or has no region");
   return good && !s.triangles.empty();
 }
 

@@ -3,6 +3,8 @@
 #include <limits>
 #include <numbers>
 
+#include "LengthUnits.h"
+
 /// Numbers that many tests use. All tests of a label are compiled in a few pieces (tests/CMakeLists.txt), so
 /// what two of them need is here and not in each.
 namespace restenosis::support {
@@ -11,8 +13,7 @@ namespace restenosis::support {
 inline constexpr double r = 15e-6;
 /// The reduced radius of two of them [m], and their modulus [Pa].
 inline constexpr double R = r / 2, modulus = 0.2e6;
-/// [m]
-inline constexpr double um = 1e-6;
+using restenosis::um;
 /// [s]
 inline constexpr double hour = 3600;
 /// Of a straight vessel [m].

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Cylindrical.h"
+#include "LengthUnits.h"
 #include "SolidCover.h"
 #include "StrutAgents.h"
 #include "StrutSolids.h"
@@ -13,7 +14,7 @@ namespace {
 
 using namespace support;
 
-constexpr double um = 1e-6, r = 15 * um, least = um;
+constexpr double r = 15 * um, least = um;
 
 double nearestCentre(const SolidCover& cover, const Vec3& place) {
   double nearest = HUGE_VAL;

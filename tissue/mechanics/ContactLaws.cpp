@@ -17,12 +17,12 @@ constexpr ContactLaw entry() {
           [](double R) { return Law::validOverlap(R); }};
 }
 
-constexpr std::array table{entry<HertzContact>(), entry<HertzNeoHookeanContact>()};
+constexpr std::array contactLaws{entry<HertzContact>(), entry<HertzNeoHookeanContact>()};
 
 }  // namespace
 
-const ContactLaw& contactLaw(std::string_view name) { return findNamed(table, "contact law", name); }
+const ContactLaw& contactLaw(std::string_view name) { return findNamed(contactLaws, "contact law", name); }
 
-std::vector<std::string_view> contactLawNames() { return namesOf(table); }
+std::vector<std::string_view> contactLawNames() { return namesOf(contactLaws); }
 
 }  // namespace restenosis

@@ -9,25 +9,25 @@
 namespace restenosis {
 namespace {
 
-struct Entry {
+struct MakesMinimiser {
   std::string_view name;
   std::unique_ptr<Minimiser> (*make)(const MechanicsParameters&);
 };
 
 template <class T>
-constexpr Entry entry() {
+constexpr MakesMinimiser maker() {
   return {T::name,
           [](const MechanicsParameters& p) -> std::unique_ptr<Minimiser> { return std::make_unique<T>(p); }};
 }
 
-constexpr std::array table{entry<FireMinimiser>(), entry<OverdampedMinimiser>()};
+constexpr std::array minimisers{maker<FireMinimiser>(), maker<OverdampedMinimiser>()};
 
 }  // namespace
 
 std::unique_ptr<Minimiser> makeMinimiser(const MechanicsParameters& parameters) {
-  return findNamed(table, "minimiser", parameters.minimiser).make(parameters);
+  return findNamed(minimisers, "minimiser", parameters.minimiser).make(parameters);
 }
 
-std::vector<std::string_view> minimiserNames() { return namesOf(table); }
+std::vector<std::string_view> minimiserNames() { return namesOf(minimisers); }
 
 }  // namespace restenosis

@@ -25,9 +25,9 @@ constexpr double wakingShare = 1.1;
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
 
-struct Any {
-  bool found = false;
-  void join(const Any& other) { found |= other.found; }
+struct Found {
+  bool any = false;
+  void join(const Found& other) { any |= other.any; }
 };
 
 }  // namespace
@@ -50,14 +50,14 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
 
 void RelaxingAgents::advance() {
   minimiser_->begin(sight().totals);
-  const auto far = reducePieces<Any>(awake_.size(), [&](std::size_t begin, std::size_t end, Any& part) {
+  const auto far = reducePieces<Found>(awake_.size(), [&](std::size_t begin, std::size_t end, Found& part) {
     std::array<Vec3, chunkSize> moves;
     const auto motion = std::span(awake_.motion).subspan(begin, end - begin);
     minimiser_->step(motion, moves);
     for (std::size_t k = 0; k < motion.size(); ++k)
-      part.found |= forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]);
+      part.any |= forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]);
   });
-  if (far.found) forces_.updateLists(awake_, relisted_);
+  if (far.any) forces_.updateLists(awake_, relisted_);
   std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
   forces_.evaluate(awake_, [&](std::size_t begin, std::size_t end) {
     Sight part;

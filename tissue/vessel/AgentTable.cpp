@@ -12,14 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "LengthUnits.h"
 #include "NearestName.h"
 #include "Shown.h"
 #include "Trimmed.h"
 
 namespace restenosis {
 namespace {
-
-constexpr double metresPerUm = 1e-6;
 
 /// What spreadsheets put before UTF-8 text.
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
@@ -124,7 +123,7 @@ class TableReader {
     }
     std::array<double, columnKind> value;
     for (int column = 0; column < columnKind; ++column) {
-      value[column] = metresPerUm * number(cells[*place_[column]], columnNames[column]);
+      value[column] = um * number(cells[*place_[column]], columnNames[column]);
     }
     if (!(value[columnRadius] > 0)) fail("the radius must be larger than 0 um");
     const AgentKind kind = place_[columnKind] ? kindOf(cells[*place_[columnKind]]) : defaultKind_;
@@ -185,9 +184,8 @@ void writeAgentTable(const std::filesystem::path& file, const AgentStore& agents
   std::ofstream stream(file);
   stream << "x,y,z,radius,kind\n";
   for (Index i = 0; i < agents.size(); ++i) {
-    const auto um = [](double metres) { return metres / metresPerUm; };
-    stream << fmt::format("{},{},{},{},{}\n", um(agents.x[i]), um(agents.y[i]), um(agents.z[i]),
-                          um(agents.radius[i]), kinds[static_cast<std::size_t>(agents.kind[i])].first);
+    stream << fmt::format("{},{},{},{},{}\n", agents.x[i] / um, agents.y[i] / um, agents.z[i] / um,
+                          agents.radius[i] / um, kinds[static_cast<std::size_t>(agents.kind[i])].first);
   }
   stream.flush();
   if (!stream) throw AgentTableError(fmt::format("{}: cannot be written", file.string()));

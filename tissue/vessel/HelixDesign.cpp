@@ -2,14 +2,10 @@
 
 #include <numbers>
 
+#include "LengthUnits.h"
 #include "StentDesign.h"
 
 namespace restenosis {
-namespace {
-
-constexpr double mm = 1e-3;
-
-}  // namespace
 
 std::vector<StrutSegment> buildHelix(const StentParameters& stent, const StentLayout& layout) {
   std::vector<StrutSegment> segments;

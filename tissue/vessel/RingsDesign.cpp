@@ -1,13 +1,9 @@
 #include <fmt/format.h>
 
+#include "LengthUnits.h"
 #include "StentDesign.h"
 
 namespace restenosis {
-namespace {
-
-constexpr double mm = 1e-3;
-
-}  // namespace
 
 std::vector<StrutSegment> buildRings(const StentParameters& stent, const StentLayout& layout) {
   std::vector<StrutSegment> segments;

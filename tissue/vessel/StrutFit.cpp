@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include "Cylindrical.h"
+#include "LengthUnits.h"
 #include "TableBounds.h"
 #include "TablePlaces.h"
 
 namespace restenosis {
 namespace {
-
-constexpr double um = 1e-6;
 
 /// A sphere as thick as the lumen's radius is where a strut of a design stops fitting too. With every centre
 /// in the outer half, none of these can reach over the axis. Assumed.

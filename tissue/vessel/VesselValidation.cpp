@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "AgentCounts.h"
+#include "LengthUnits.h"
 #include "StentDesign.h"
 #include "WallTable.h"
 
 namespace restenosis {
 namespace {
-
-constexpr double mm = 1e-3, um = 1e-6;
 
 class Validation {
  public:

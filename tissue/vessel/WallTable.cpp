@@ -8,19 +8,18 @@
 #include <utility>
 
 #include "Cylindrical.h"
+#include "LengthUnits.h"
 #include "TableBounds.h"
 #include "TablePlaces.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double um = 1e-6;
-
 // Assumed, all of them: beyond what a run can make of a wall, well within what a mistaken unit does.
 constexpr double radiusRatio = 10;         // either way, to the vessel's cell radius
 constexpr double leastShareOfOuter = 0.5;  // reached by the outermost agent
 constexpr double longestGap = 0.25;        // without agents, of the vessel's length
-constexpr int sectors = 8;                 // about the axis, none of them empty
+constexpr int octants = 8;                 // about the axis, none of them empty
 
 class WallTableCheck {
  public:
@@ -94,17 +93,17 @@ class WallTableCheck {
   }
 
   void checkSectors() const {
-    std::array<double, sectors> outermost{};
+    std::array<double, octants> outermost{};
     for (Index i = 0; i < agents_.size(); ++i) {
       const double share = toCylindrical(agents_.position(i)).angle / (2 * std::numbers::pi);  // -0.5 to 0.5
       auto& sector =
-          outermost[std::min(static_cast<int>((share < 0 ? share + 1 : share) * sectors), sectors - 1)];
+          outermost[std::min(static_cast<int>((share < 0 ? share + 1 : share) * octants), octants - 1)];
       sector = std::max(sector, reach(i));
     }
-    for (int n = 0; n < sectors; ++n) {
+    for (int n = 0; n < octants; ++n) {
       const auto where = [n] {
-        return fmt::format("between {} and {} degrees about the axis (x = y = 0)", 360 * n / sectors,
-                           360 * (n + 1) / sectors);
+        return fmt::format("between {} and {} degrees about the axis (x = y = 0)", 360 * n / octants,
+                           360 * (n + 1) / octants);
       };
       if (outermost[n] == 0) {
         fail(fmt::format("no agent stands {}; a wall with laminae or a stent must surround the axis",

@@ -27,11 +27,11 @@ constexpr double overshootCells = 2.0;
 /// Largest velocity that the inlet's profile may have on the rim, over that well inside, without a remark.
 constexpr double rimErrorRemark = 0.02;
 /// Fewest cells at the wall across the lumen without a remark (docs/model/flow.md).
-constexpr double fewestCellsAcross = 4.0;
+constexpr double fewestWithoutRemark = 4.0;
 
 std::string narrowness(const TriSurface& lumen, const FoamSettings& settings) {
   return narrownessRemark(
-      lumen, {settings.wallCell(), "cells at the wall", fewestCellsAcross,
+      lumen, {settings.wallCell(), "cells at the wall", fewestWithoutRemark,
               "a finer scene.fidelity, a higher foam.wallLevel or a smaller foam.cellSize resolves it"});
 }
 

@@ -8,6 +8,7 @@
 #include "AtomicFile.h"
 #include "FoamLog.h"
 #include "FoamRequirements.h"
+#include "LengthUnits.h"
 #include "MeshMorph.h"
 #include "WallPatch.h"
 
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 constexpr double cubicMillimetre = 1e-9;  // [m^3], also [m^3/s] for mm^3/s
 constexpr double squareMillimetre = 1e-6;
-constexpr double micrometre = 1e-6;
 }  // namespace
 
 FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
@@ -114,8 +114,8 @@ std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerC
     const double cell = settings_.wallCell();
     const auto require = [&](double distance, double limit, const char* reason) {
       if (!(distance <= limit * cell))
-        throw MorphRefused(reason, fmt::format("{:.3g} um, more than {:.3g} um", distance / micrometre,
-                                               limit * cell / micrometre));
+        throw MorphRefused(reason,
+                           fmt::format("{:.3g} um, more than {:.3g} um", distance / um, limit * cell / um));
     };
     require(moved.movement, settings_.morphMovement, "the wall moved too far");
     require(moved.departure, settings_.morphDeparture, "the moved mesh does not follow the lumen");

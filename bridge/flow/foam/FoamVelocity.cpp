@@ -13,12 +13,12 @@
 #include <Eigen/Dense>
 #include <stdexcept>
 
+#include "LengthUnits.h"
 #include "PointTree.h"
 
 namespace restenosis {
 namespace {
 
-constexpr double millimetre = 1e-3;
 /// Cells that a fit takes in; a quadratic function has ten coefficients. In a cubic grid 32 may lie in four
 /// columns, which do not determine it.
 constexpr std::size_t fitted = 64;
@@ -46,10 +46,10 @@ CellVelocities readCells(const std::filesystem::path& caseFolder) {
     for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
       std::array<double, 6> box{};
       grid->GetCellBounds(c, box.data());
-      cells.centre.push_back(millimetre * 0.5 * Vec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]));
+      cells.centre.push_back(mm * 0.5 * Vec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]));
       Vec3 u;
       velocity->GetTuple(c, u.data());
-      cells.velocity.push_back(millimetre * u);
+      cells.velocity.push_back(mm * u);
     }
     return cells;
   }

@@ -8,17 +8,17 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "LengthUnits.h"
+
 namespace restenosis {
 namespace {
-
-constexpr double perMetre = 1e3;  // mm in a metre
 
 /// Rows of refined cells on each side of a surface that an estimate of the number of cells counts.
 constexpr double refinedRows = 4.0;
 
 /// Cells at the wall across the inlet below which there is nothing to mesh. What a lumen should have before
 /// the run is FoamSettings::minimumCellsAcross; tissue may narrow it as far as it can be meshed.
-constexpr double fewestCellsAcross = 2.0;
+constexpr double leastCellsAcross = 2.0;
 
 double estimatedCells(const LumenCase& lumen, const FoamSettings& s) {
   const auto rows = [&](double area, std::int64_t level) {
@@ -63,25 +63,25 @@ long halfCells(double low, double high, double size) {
 }
 
 void setLength(DictionaryText& parameters, std::string_view key, double metres) {
-  parameters.set(key, metres * perMetre);
+  parameters.set(key, metres * mmPerMetre);
 }
 
 /// What flows, and what drives it.
 void writeFlow(DictionaryText& parameters, const LumenCase& lumen, const FlowConditions& conditions) {
   const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
-  parameters.set("kinematicViscosity", conditions.kinematicViscosity * perMetre * perMetre);
+  parameters.set("kinematicViscosity", conditions.kinematicViscosity * mmPerMetre * mmPerMetre);
   parameters.set("density", conditions.density);
   parameters.set("drive", fixedFlow ? "flowRate" : "pressureGradient");
-  parameters.set("flowRate", conditions.flowRate * std::pow(perMetre, 3));
+  parameters.set("flowRate", conditions.flowRate * std::pow(mmPerMetre, 3));
   parameters.set("pressureDrop",
-                 conditions.pressureGradient * lumen.length() / conditions.density * perMetre * perMetre);
+                 conditions.pressureGradient * lumen.length() / conditions.density * mmPerMetre * mmPerMetre);
 }
 
 void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
   const auto direction = [&](std::string_view key, const Vec3& v) {
     parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
   };
-  direction("inletCentre", profile.centre * perMetre);
+  direction("inletCentre", profile.centre * mmPerMetre);
   direction("inletDirection", profile.direction);
   direction("inletXAxis", profile.xAxis);
   direction("inletYAxis", profile.yAxis);
@@ -121,7 +121,7 @@ void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSet
   const InletProfile& profile = lumen.profile;
   const Vec3 inside = (profile.inside + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
                                                              0.371 * profile.direction)) *
-                      perMetre;
+                      mmPerMetre;
   parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
   parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
   parameters.set("coreLevel", std::to_string(level));
@@ -170,16 +170,16 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
   }
 
   const double diameter = 2.0 * std::sqrt(result.inlet.area / std::numbers::pi);
-  if (diameter < fewestCellsAcross * settings.wallCell())
+  if (diameter < leastCellsAcross * settings.wallCell())
     throw std::invalid_argument(fmt::format(
         "the inlet is {:.4g} mm wide, less than {} cells of {:.4g} mm: the lumen is too small for "
         "this fidelity, or its length unit is wrong",
-        diameter * perMetre, fewestCellsAcross, settings.wallCell() * perMetre));
+        diameter * mmPerMetre, leastCellsAcross, settings.wallCell() * mmPerMetre));
   if (const double cells = estimatedCells(result, settings); cells > settings.maximumCells)
     throw std::invalid_argument(fmt::format(
         "the lumen ({:.4g} mm wide, {:.4g} mm long) needs about {:.2g} cells, more than the limit of "
         "{:.2g}: choose a lower fidelity, or check its length unit",
-        diameter * perMetre, result.length() * perMetre, cells, settings.maximumCells));
+        diameter * mmPerMetre, result.length() * mmPerMetre, cells, settings.maximumCells));
   return result;
 }
 

@@ -8,12 +8,11 @@
 #include <unordered_set>
 
 #include "AtomicFile.h"
+#include "LengthUnits.h"
 #include "StlFile.h"
 
 namespace restenosis {
 namespace {
-
-constexpr double millimetre = 1e-3;
 
 std::uint64_t key(std::uint32_t from, std::uint32_t to) { return (std::uint64_t{from} << 32) | to; }
 
@@ -21,8 +20,7 @@ void facet(fmt::memory_buffer& out, const Vec3& a, const Vec3& b, const Vec3& c)
   auto it = std::back_inserter(out);
   fmt::format_to(it, "facet normal 0 0 0\nouter loop\n");
   for (const Vec3* v : {&a, &b, &c})
-    fmt::format_to(it, "vertex {:.9g} {:.9g} {:.9g}\n", v->x() / millimetre, v->y() / millimetre,
-                   v->z() / millimetre);
+    fmt::format_to(it, "vertex {:.9g} {:.9g} {:.9g}\n", v->x() / mm, v->y() / mm, v->z() / mm);
   fmt::format_to(it, "endloop\nendfacet\n");
 }
 
@@ -51,8 +49,7 @@ void writeRims(const TriSurface& lumen, LumenEnds ends, const std::filesystem::p
   fmt::memory_buffer out;
   auto it = std::back_inserter(out);
   for (const Vec3& v : lumen.vertices)
-    fmt::format_to(it, "v {:.9g} {:.9g} {:.9g}\n", v.x() / millimetre, v.y() / millimetre,
-                   v.z() / millimetre);
+    fmt::format_to(it, "v {:.9g} {:.9g} {:.9g}\n", v.x() / mm, v.y() / mm, v.z() / mm);
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     const auto& t = lumen.triangles[i];
     for (int k = 0; k < 3 && ofEnd(i); ++k)

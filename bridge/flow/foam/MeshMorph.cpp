@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "InnerMotion.h"
+#include "LengthUnits.h"
 #include "LumenShape.h"
 #include "NearestTriangle.h"
 #include "SurfaceEnds.h"
@@ -15,7 +16,6 @@
 namespace restenosis {
 namespace {
 
-constexpr double perMetre = 1e3;  // mm in a metre
 /// How far the ends may have moved along the vessel [mm], and points of the mesh may be off them.
 constexpr double endTolerance = 1e-6;
 
@@ -24,7 +24,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 bool isSide(SurfaceRegion region) { return region == SurfaceRegion::wall || region == SurfaceRegion::strut; }
 
 std::vector<Vec3> inMillimetres(std::vector<Vec3> points) {
-  for (Vec3& p : points) p *= perMetre;
+  for (Vec3& p : points) p *= mmPerMetre;
   return points;
 }
 
@@ -110,7 +110,7 @@ double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
   for (const std::size_t t : sidesOf(lumen))
     for (const auto v : lumen.triangles[t]) onSide[v] = true;
   for (std::size_t v = 0; v < onSide.size(); ++v)
-    if (onSide[v]) largest = std::max(largest, wall.at(perMetre * lumen.vertices[v]).distance);
+    if (onSide[v]) largest = std::max(largest, wall.at(mmPerMetre * lumen.vertices[v]).distance);
   return largest;
 }
 
@@ -119,8 +119,8 @@ double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
 MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
   const auto wallFaces = facesOf(mesh, {"wall", "strut"});
   if (wallFaces.empty()) throw std::runtime_error("the mesh has no wall");
-  const auto inlet = pointsOfEnd(mesh, "inlet", perMetre * lumenEnd(lumen, SurfaceRegion::inlet).z);
-  const auto outlet = pointsOfEnd(mesh, "outlet", perMetre * lumenEnd(lumen, SurfaceRegion::outlet).z);
+  const auto inlet = pointsOfEnd(mesh, "inlet", mmPerMetre * lumenEnd(lumen, SurfaceRegion::inlet).z);
+  const auto outlet = pointsOfEnd(mesh, "outlet", mmPerMetre * lumenEnd(lumen, SurfaceRegion::outlet).z);
   const SurfaceEdges edges = surfaceEdges(lumen);
   const NearestTriangle surface = sides(lumen), inletRim = rim(lumen, edges, SurfaceRegion::inlet),
                         outletRim = rim(lumen, edges, SurfaceRegion::outlet);
@@ -137,12 +137,12 @@ MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
       displacement[p] = target.at(mesh.points[p]).point - mesh.points[p];
       if (freedom[p] == PointFreedom::inPlane) displacement[p].z() = 0.0;
       freedom[p] = PointFreedom::given;
-      result.movement = std::max(result.movement, displacement[p].norm() / perMetre);
+      result.movement = std::max(result.movement, displacement[p].norm() / mmPerMetre);
     }
   moveInside(mesh, freedom, displacement);
   result.points = mesh.points;
   for (std::size_t i = 0; i < displacement.size(); ++i) result.points[i] += displacement[i];
-  result.departure = departure(mesh, result.points, wallFaces, lumen, surface) / perMetre;
+  result.departure = departure(mesh, result.points, wallFaces, lumen, surface) / mmPerMetre;
   return result;
 }
 
@@ -150,7 +150,7 @@ void takeRegions(std::vector<WallFace>& faces, const TriSurface& lumen) {
   const auto numbers = sidesOf(lumen);
   const NearestTriangle surface = sides(lumen);
   for (WallFace& face : faces)
-    face.region = lumen.region[numbers[surface.at(perMetre * face.centre).triangle]];
+    face.region = lumen.region[numbers[surface.at(mmPerMetre * face.centre).triangle]];
 }
 
 }  // namespace restenosis

@@ -12,11 +12,12 @@
 
 #include <stdexcept>
 
+#include "LengthUnits.h"
+
 namespace restenosis {
 namespace {
 
-constexpr double millimetre = 1e-3;
-constexpr double square = millimetre * millimetre;
+constexpr double square = mm * mm;
 constexpr const char* field = "wallShearStress";
 
 struct Polygon {
@@ -73,8 +74,7 @@ void appendWallPatch(const std::filesystem::path& file, SurfaceRegion region, do
       throw std::runtime_error(fmt::format("{} has a stress that is not finite", file.string()));
     const Vec3 normal = face.areaVector / area;
     const Vec3 traction = -density * square * value;
-    faces.push_back(
-        {face.centre * millimetre, area * square, traction - traction.dot(normal) * normal, region});
+    faces.push_back({face.centre * mm, area * square, traction - traction.dot(normal) * normal, region});
   }
 }
 

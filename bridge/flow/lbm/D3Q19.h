@@ -31,6 +31,12 @@ inline constexpr std::array<Step, directions> c = {{{0, 0, 0},
                                                     {0, 1, -1},
                                                     {0, -1, 1}}};
 
+/// The node beside node `n` in a direction.
+constexpr Step moved(const Step& n, int direction) {
+  const Step& s = c[static_cast<std::size_t>(direction)];
+  return {n[0] + s[0], n[1] + s[1], n[2] + s[2]};
+}
+
 constexpr int opposite(int direction) { return direction == 0 ? 0 : ((direction - 1) ^ 1) + 1; }
 
 constexpr double weight(int direction) {

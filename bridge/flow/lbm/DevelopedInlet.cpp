@@ -18,7 +18,7 @@ constexpr int settlingPairs = 250;
 constexpr int mostSweeps = 20000;
 constexpr double sweepTolerance = 1e-7;
 /// A node on the wall would make its own velocity's equation singular.
-constexpr double leastDistance = 1e-3;
+constexpr double shortestArm = 1e-3;
 
 /// What the links of the layer cross, as regions of three triangles.
 const std::vector<SurfaceRegion> layerRegions{SurfaceRegion::wall, SurfaceRegion::inlet,
@@ -145,7 +145,7 @@ std::vector<double> DevelopedInlet::profile(const LumenLattice& layer) {
                                        [](const Node& n, std::uint32_t place) { return n.place < place; });
     Arm& arm = node->arms[static_cast<std::size_t>(link.direction - firstAxis)];
     arm.wall = true;
-    arm.length = std::max(link.q, leastDistance);
+    arm.length = std::max(link.q, shortestArm);
   }
   std::vector<double> u(layer.layout.places(), 0.0);
   const double across = std::sqrt(static_cast<double>(nodes.size()));

@@ -10,11 +10,6 @@ namespace {
 
 using d3q19::Step;
 
-Step moved(const Step& n, int direction) {
-  const Step& c = d3q19::c[static_cast<std::size_t>(direction)];
-  return {n[0] + c[0], n[1] + c[1], n[2] + c[2]};
-}
-
 class BoundaryMaker {
  public:
   BoundaryMaker(const LumenLattice& lattice, WallRule rule, const LatticeEnds& ends)
@@ -56,7 +51,7 @@ class BoundaryMaker {
   }
   std::uint32_t near(const SurfaceLink& l) const { return slot(l.node, d3q19::opposite(l.direction)); }
   std::uint32_t far(const SurfaceLink& l) const {
-    return slot(layout_.place(moved(l.coordinates, l.direction)), l.direction);
+    return slot(layout_.place(d3q19::moved(l.coordinates, l.direction)), l.direction);
   }
   /// The node with z taken round from one end to the other.
   Step wrapped(Step n) const {
@@ -75,7 +70,7 @@ class BoundaryMaker {
   }
   /// Whether a node and its neighbour are fluid and nothing lies between them.
   bool joined(const Step& node, int direction) const {
-    const Step other = moved(node, direction);
+    const Step other = d3q19::moved(node, direction);
     const auto inRange = [&](const Step& n) { return n[2] >= 0 && n[2] < layout_.size()[2]; };
     return inRange(node) && inRange(other) && fluidAt_.contains(layout_.place(node)) &&
            fluidAt_.contains(layout_.place(other)) && find(layout_.place(node), direction) == nullptr;
@@ -87,7 +82,7 @@ class BoundaryMaker {
     double q = 0.5;
     if (rule_ == WallRule::interpolated) {
       const int opposite = d3q19::opposite(link.direction);
-      const Step behind = moved(link.coordinates, opposite);
+      const Step behind = d3q19::moved(link.coordinates, opposite);
       bool interpolable = link.interpolable;
       if (behind[2] < 0 || behind[2] >= layout_.size()[2]) {
         if (ends_.inlet == LatticeEnds::Inlet::periodic) {
@@ -148,14 +143,14 @@ class BoundaryMaker {
 
   void addPassage(const SurfaceLink& link) {
     const int opposite = d3q19::opposite(link.direction);
-    const Step target = wrapped(moved(link.coordinates, link.direction));
+    const Step target = wrapped(d3q19::moved(link.coordinates, link.direction));
     const std::uint32_t place = layout_.place(target);
     if (!fluidAt_.contains(place)) {
       addWallBeyondEnd(link);
       return;
     }
-    result_.passages.push_back({near(link), slot(layout_.place(moved(target, opposite)), opposite), far(link),
-                                slot(place, link.direction)});
+    result_.passages.push_back({near(link), slot(layout_.place(d3q19::moved(target, opposite)), opposite),
+                                far(link), slot(place, link.direction)});
   }
 
   /// A link that leaves through an end and would meet the wall on the other side of it. Where the lumen goes

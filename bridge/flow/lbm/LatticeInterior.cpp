@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace restenosis {
-namespace {
-
-d3q19::Step moved(const d3q19::Step& n, int direction) {
-  const auto& c = d3q19::c[static_cast<std::size_t>(direction)];
-  return {n[0] + c[0], n[1] + c[1], n[2] + c[2]};
-}
-
-}  // namespace
 
 LatticeInterior::LatticeInterior(std::span<const Vec3> vertices,
                                  std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -37,7 +29,7 @@ bool LatticeInterior::inHalo(const d3q19::Step& n) const {
 bool LatticeInterior::cut(const d3q19::Step& n, int direction) const {
   const bool first = direction % 2 == 1;
   const int pair = (direction - 1) / 2;
-  return flags_[at(first ? n : moved(n, direction))] & (2u << pair);
+  return flags_[at(first ? n : d3q19::moved(n, direction))] & (2u << pair);
 }
 
 void LatticeInterior::fillInside() {
@@ -72,7 +64,7 @@ bool LatticeInterior::consistent() const {
       for (int z = 0; z < size_[2]; ++z) {
         const d3q19::Step node{x, y, z};
         for (int direction = 1; direction < d3q19::directions; ++direction) {
-          const d3q19::Step other = moved(node, direction);
+          const d3q19::Step other = d3q19::moved(node, direction);
           const std::size_t lower = at(direction % 2 == 1 ? node : other);
           const bool change = fluid(node) != fluid(other);
           if (change != ((odd[lower] & (2u << ((direction - 1) / 2))) != 0)) return false;
@@ -100,7 +92,7 @@ bool LatticeInterior::keepConnected(std::span<const SurfaceRegion> regions) {
     const d3q19::Step node = front.back();
     front.pop_back();
     for (int direction = 1; direction < d3q19::directions; ++direction)
-      if (!cut(node, direction)) reach(moved(node, direction));
+      if (!cut(node, direction)) reach(d3q19::moved(node, direction));
   }
   bool joined = false;
   forEachEndNode(SurfaceRegion::outlet, [&](const d3q19::Step& n) { joined = joined || reached[at(n)]; });

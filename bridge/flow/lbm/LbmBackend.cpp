@@ -23,7 +23,7 @@ namespace {
 constexpr double coarseTolerance = 10.0;
 /// Spacings across the inlet below which nothing can be solved. What a lumen should have before the run is
 /// LbmSettings::leastNodesAcross; tissue may narrow it further.
-constexpr double fewestNodes = 2.0;
+constexpr double fewestSpacings = 2.0;
 /// Fewest spacings across the lumen without a remark (docs/model/flow.md).
 constexpr double fewestWithoutRemark = 6.0;
 /// Nodes across the inlet below which a coarser lattice is of no use.
@@ -64,12 +64,12 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
   const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
-  if (across < fewestNodes * settings.dx)
+  if (across < fewestSpacings * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
                     "[lbm], or check "
                     "the lumen's length unit",
-                    1e3 * across, fewestNodes, 1e6 * settings.dx));
+                    1e3 * across, fewestSpacings, 1e6 * settings.dx));
   std::vector<double> result{settings.dx};
   for (std::int64_t level = 1; level <= settings.coarseLevels; ++level) {
     if (across < fewestNodesAcross * 2.0 * result.front()) break;

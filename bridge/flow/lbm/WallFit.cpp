@@ -8,7 +8,7 @@ namespace restenosis {
 namespace {
 
 /// Nodes below which no slope, and no curvature, is fitted.
-constexpr std::size_t fewestNodes = 6, fewestForSlope = 8, fewestForCurvature = 12;
+constexpr std::size_t fewestForValue = 6, fewestForSlope = 8, fewestForCurvature = 12;
 /// Ridge on the slopes, relative to the sum of weights: decides where nodes lie in a plane.
 constexpr double ridge = 1e-6;
 /// Most by which the fit may enlarge errors of the nodes: the sum of |weight| d, which is 1 for the fit of d
@@ -19,7 +19,7 @@ constexpr double mostRatioAmplification = 2.5;
 /// Ridge on the slopes of that ratio (assumed; docs/results/lbm.md).
 constexpr double ratioRidge = 0.1;
 /// Added to distances from the wall [spacings], so that a node on it does not count infinitely (assumed).
-constexpr double leastDistance = 0.1;
+constexpr double distanceOfNodeOnWall = 0.1;
 
 constexpr int terms = 7;
 using Row = Eigen::Matrix<double, terms, 1>;
@@ -43,7 +43,7 @@ void fitValue(std::vector<NearNode>& nodes) {
     normalMatrix += n.weight * row(n) * row(n).transpose();
     total += n.weight;
   }
-  if (nodes.size() < fewestNodes) {
+  if (nodes.size() < fewestForValue) {
     for (NearNode& n : nodes) n.weight /= total;
     return;
   }
@@ -58,7 +58,7 @@ void fitWallRatio(std::vector<NearNode>& nodes) {
     return Eigen::Vector4d(n.wallDistance * Eigen::Vector4d(1.0, n.offset.x(), n.offset.y(), n.offset.z()));
   };
   for (NearNode& n : nodes) {
-    n.weight /= (n.wallDistance + leastDistance) * (n.wallDistance + leastDistance);
+    n.weight /= (n.wallDistance + distanceOfNodeOnWall) * (n.wallDistance + distanceOfNodeOnWall);
     normalMatrix += n.weight * row(n) * row(n).transpose();
   }
   const double total = normalMatrix(0, 0);

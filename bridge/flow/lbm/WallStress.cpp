@@ -15,9 +15,9 @@ namespace {
 constexpr double valueRadius = 2.5, ratioRadius = 2.25, derivativeRadius = 3.0;
 /// Nodes with a link to the wall count less in values: their stress carries the wall rule's error.
 constexpr double linkedWeight = 0.1;
-/// Where there are fewer than `fewestNodes`, those up to this distance.
+/// Where there are fewer than `fewestNear`, those up to this distance.
 constexpr double largeRadius = 5.0;
-constexpr std::size_t fewestNodes = 6;
+constexpr std::size_t fewestNear = 6;
 /// The stress is taken once a triangle, and for longer ones than this [spacings] once a piece: drawings have
 /// long triangles where a lumen is straight (assumed).
 constexpr double longestPiece = 4.0;
@@ -143,7 +143,7 @@ WallStress::NodesOfFaces WallStress::findNodes(const LumenLattice& lattice, Stre
     }
     const double ofLinked = face.ofVelocity() ? 1.0 : linkedWeight;
     found[f] = finder.around(face.centre, face.normal, reachOf(face.rule), ofLinked);
-    if (found[f].size() < fewestNodes)
+    if (found[f].size() < fewestNear)
       found[f] = finder.around(face.centre, face.normal, largeRadius, ofLinked);
   }
   return found;
