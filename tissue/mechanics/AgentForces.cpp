@@ -40,7 +40,8 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
 static_assert(PairRows::most == chunkSize);
 
 // Of what is added to a leash and of what is taken off it: single precision errs by less.
-constexpr double shorter = 1 - 1e-5, longer = 1 + 1e-5;
+constexpr double shorter = 1 - 1e-5;
+constexpr float longer = 1 + 1e-5F;
 
 }  // namespace
 
@@ -165,25 +166,28 @@ float AgentForces::leashOf(Index i, const Vec3& position) const {
 bool AgentForces::moveTo(Index i, AgentMotion& agent, const Vec3& position) {
   Vec3 place = position;
   for (const Constraint* constraint : constraints_) constraint->project(agent.kind, agent.radius, place);
-  agent.leash -= static_cast<float>(longer * (place - agent.position).norm());
+  const float step = longer * std::sqrt(static_cast<float>((place - agent.position).squaredNorm()));
+  agent.leash -= step;
+  agent.way += step;
   agent.position = place;
   spheres_.moveTo(i, place, agent.radius);
-  if (agent.leash >= 0) return false;
+  const double comfortable = neighbours_.comfortableRoom();
+  if (agent.leash > comfortable) return false;
   agent.leash = leashOf(i, place);
-  return !(agent.leash >= 0);
+  return !(agent.leash > comfortable);
 }
 
-void AgentForces::updateLists(MovingAgents& moving, std::vector<Index>& relisted) {
-  const double comfortable = neighbours_.comfortableRoom();
-  const auto hasRoom = [&](std::size_t k) {
-    float& leash = moving.motion[k].leash;
-    if (leash > comfortable) return true;
-    leash = leashOf(moving.agents[k], moving.motion[k].position);
-    return leash > comfortable;
-  };
-  const std::vector<Index> places = agentsThat(moving.size(), [&](Index k) { return !hasRoom(k); });
+bool AgentForces::inRange(const AgentMotion& agent, Index j) const {
+  const bool daughter = agent.daughter || agents_.has(j, AgentFlag::daughter);
+  const double reach =
+      (daughter ? range_.daughterFactor : range_.factor) * (agent.radius + agents_.radius[j]);
+  return (agent.position - agents_.position(j)).squaredNorm() < reach * reach;
+}
+
+void AgentForces::updateLists(MovingAgents& moving, std::span<const Index> cramped) {
+  if (std::ranges::all_of(cramped, [&](Index k) { return moving.motion[k].leash >= 0; })) return;
   std::vector<Index> moved;
-  for (const Index k : places) {
+  for (const Index k : cramped) {
     place(moving.agents[k], moving.motion[k]);
     moved.push_back(moving.agents[k]);
   }
@@ -192,11 +196,9 @@ void AgentForces::updateLists(MovingAgents& moving, std::vector<Index>& relisted
   if (change.all) {
     moving.areRowsOf = false;
     unsure_.mark();
-    relisted = free_;
   } else {
     layOutAnew(moving, change.agents);
     unsure_.mark(change.agents);
-    relisted.insert(relisted.end(), change.agents.begin(), change.agents.end());
   }
 }
 

@@ -69,13 +69,16 @@ class AgentForces {
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents) { unsure_.startMoving(agents); }
   /// Moves `agent`, which is agent i and was named to startMoving, to the nearest place its constraints
-  /// allow. Returns whether the lists must be updated. May be called from several threads, for different
-  /// agents.
+  /// allow. Returns whether it is cramped: to be named to updateLists. May be called from several threads,
+  /// for different agents.
   bool moveTo(Index i, AgentMotion& agent, const Vec3& position);
   /// Tells the store where an agent is.
   void place(Index i, const AgentMotion& agent) { agents_.setPosition(i, agent.position); }
-  /// Brings the lists up to date after these agents did move; appends to `relisted` whose partners changed.
-  void updateLists(MovingAgents& moving, std::vector<Index>& relisted);
+  /// Brings the lists up to date after these agents did move; `cramped` are the places among them, ascending,
+  /// of those that are.
+  void updateLists(MovingAgents& moving, std::span<const Index> cramped);
+  /// Whether an agent that moves is in range of agent j, which is where the store has it.
+  bool inRange(const AgentMotion& agent, Index j) const;
 
   /// Is told that the forces on the agents [begin, end) have been computed.
   using Look = std::function<void(std::size_t begin, std::size_t end)>;

@@ -21,6 +21,7 @@ struct AgentMotion {
   AgentForce now;                ///< where it is
   double radius = 0;             ///< [m]
   float leash = 0;               ///< at least so far it may go before the neighbour list is looked at [m]
+  float way = 0;                 ///< it has come since those beside it were looked at [m]
   AgentKind kind = AgentKind::smc;
   bool daughter = false;
 };

@@ -20,16 +20,17 @@ Vec3 mobilityShares(double axialFactor) {
   return {slower, slower, slower * axialFactor};
 }
 
-/// The velocity an agent sets out with.
-Vec3 slowedUphill(const AgentMotion& agent, double power) {
-  if (power > 0) return agent.velocity;
-  return agent.velocity * (agent.now.force.isZero(0) ? 0 : uphillShare);
+/// The share of its velocity that an agent sets out with.
+double keptUphill(const AgentMotion& agent, double power) {
+  if (power > 0) return 1;
+  return agent.now.force.isZero(0) ? 0 : uphillShare;
 }
 
 }  // namespace
 
 FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
     : mobilityShare_(mobilityShares(parameters.axialForceFactor)),
+      massShare_(mobilityShare_.cwiseInverse()),
       stepLimit_(parameters.stepLimit),
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
@@ -37,12 +38,10 @@ FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
 void FireMinimiser::total(std::span<const AgentMotion> agents, StepTotals& totals) const {
   for (const AgentMotion& agent : agents) {
     const Vec3& force = agent.now.force;
-    const Vec3 mobility = mobilityShare_ / agent.now.stiffness;
-    const double power = force.dot(agent.velocity);
-    const Vec3 velocity = slowedUphill(agent, power);
+    const double power = force.dot(agent.velocity), kept = keptUphill(agent, power);
     totals.power += power;
-    totals.velocity += velocity.dot(velocity.cwiseQuotient(mobility));
-    totals.force += force.dot(force.cwiseProduct(mobility));
+    totals.velocity += kept * kept * agent.now.stiffness * agent.velocity.cwiseAbs2().dot(massShare_);
+    totals.force += force.cwiseAbs2().dot(mobilityShare_) / agent.now.stiffness;
   }
 }
 
@@ -69,11 +68,12 @@ void FireMinimiser::step(std::span<AgentMotion> agents, std::span<Vec3> moves) c
   for (std::size_t k = 0; k < agents.size(); ++k) {
     AgentMotion& agent = agents[k];
     const Vec3& force = agent.now.force;
-    const Vec3 slowed = slowedUphill(agent, force.dot(agent.velocity));
-    const Vec3 pace = force.cwiseProduct(mobilityShare_ / agent.now.stiffness);
-    agent.velocity = keep_ * slowed + (steer_ + timeStep_) * pace;
-    const double length = agent.velocity.norm() * timeStep_, limit = stepLimit_ * agent.radius;
-    if (length > limit) agent.velocity *= limit / length;
+    const double kept = keep_ * keptUphill(agent, force.dot(agent.velocity));
+    const double pushed = (steer_ + timeStep_) / agent.now.stiffness;
+    agent.velocity = kept * agent.velocity + pushed * force.cwiseProduct(mobilityShare_);
+    const double fastest = stepLimit_ * agent.radius / timeStep_;
+    const double squared = agent.velocity.squaredNorm();
+    if (squared > fastest * fastest) agent.velocity *= fastest / std::sqrt(squared);
     moves[k] = timeStep_ * agent.velocity;
   }
 }

@@ -23,6 +23,7 @@ class FireMinimiser : public Minimiser {
 
  private:
   Vec3 mobilityShare_;  ///< mobility times stiffness, by axis
+  Vec3 massShare_;      ///< 1 / mobilityShare_
   double stepLimit_;
   double timeStep_;
   double mixing_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "Chunks.h"
@@ -25,10 +26,10 @@ constexpr double wakingShare = 1.1;
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
 
-struct Found {
-  bool any = false;
-  void join(const Found& other) { any |= other.any; }
-};
+// Sleepers beside an awake agent are looked at again once it has come this many of its radii, on which the
+// force of a contact changes by half of the tolerance. Looking at them however little it moved took a seventh
+// more time and led to the same thickness (docs/developer/tried.md).
+constexpr double wayUntilLook = 0.02;
 
 }  // namespace
 
@@ -50,14 +51,17 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
 
 void RelaxingAgents::advance() {
   minimiser_->begin(sight().totals);
-  const auto far = reducePieces<Found>(awake_.size(), [&](std::size_t begin, std::size_t end, Found& part) {
-    std::array<Vec3, chunkSize> moves;
-    const auto motion = std::span(awake_.motion).subspan(begin, end - begin);
-    minimiser_->step(motion, moves);
-    for (std::size_t k = 0; k < motion.size(); ++k)
-      part.any |= forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]);
-  });
-  if (far.any) forces_.updateLists(awake_, relisted_);
+  const std::vector<Index> cramped =
+      gatherPieces(awake_.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+        std::array<Vec3, chunkSize> moves;
+        const auto motion = std::span(awake_.motion).subspan(begin, end - begin);
+        minimiser_->step(motion, moves);
+        for (std::size_t k = 0; k < motion.size(); ++k) {
+          if (forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]))
+            found.push_back(static_cast<Index>(begin + k));
+        }
+      });
+  forces_.updateLists(awake_, cramped);
   std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
   forces_.evaluate(awake_, [&](std::size_t begin, std::size_t end) {
     Sight part;
@@ -77,10 +81,12 @@ void RelaxingAgents::Sight::join(const Sight& other) {
 void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
   const auto motion = std::span<const AgentMotion>(awake_.motion).subspan(begin, end - begin);
   minimiser_->total(motion, part.totals);
+  double squared = 0;
   for (const AgentMotion& agent : motion) {
-    part.residual = std::max(part.residual, agent.now.force.norm());
+    squared = std::max(squared, agent.now.force.squaredNorm());
     part.restlessness = std::max(part.restlessness, agent.now.restlessness);
   }
+  part.residual = std::sqrt(squared);
 }
 
 const RelaxingAgents::Sight& RelaxingAgents::sight() {
@@ -92,20 +98,8 @@ const RelaxingAgents::Sight& RelaxingAgents::sight() {
 }
 
 bool RelaxingAgents::wakeDisturbed() {
-  if (awake_.size() == forces_.free().size()) {
-    relisted_.clear();
-    return false;
-  }
-  const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
-  std::vector<Index> beside = collect(awake_.agents, [&](Index i, const auto& take) {
-    for (const Index j : forces_.neighbours().of(i)) take(j, asleep);
-    for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
-  });
-  // Those whom an awake agent has left since they were looked at, too.
-  const std::vector<Index> left = collect(relisted_, [&](Index i, const auto& take) { take(i, asleep); });
-  beside.insert(beside.end(), left.begin(), left.end());
-  relisted_.clear();
-  beside = unmarkAll(std::move(beside));
+  if (awake_.size() == forces_.free().size()) return false;
+  const std::vector<Index> beside = sleepersBesideMovers();
   RestlessPieces restless = piecesOf(beside.size());
   forces_.evaluate(beside, [&](std::size_t k, Index j, const AgentForce& now) {
     if (now.restlessness > wakingShare * tolerance_) restless[k / chunkSize].push_back({j, now});
@@ -126,21 +120,30 @@ bool RelaxingAgents::wakeAnyone() {
     }
   });
   sight_.reset();
-  relisted_.clear();
   wakeRestless(std::move(restless));
   return sight().restlessness > tolerance_;
 }
 
-template <class Look>
-std::vector<Index> RelaxingAgents::collect(const std::vector<Index>& agents, Look&& look) {
-  return gatherPieces(agents.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
+  const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
+  const auto lookAround = [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
     const auto take = [&](Index j, const auto& wanted) {
       std::atomic_ref<std::uint8_t> mark(marked_[j]);
       if (mark.load(std::memory_order_relaxed) || !wanted(j)) return;
       if (!mark.exchange(1, std::memory_order_relaxed)) found.push_back(j);
     };
-    for (std::size_t k = begin; k < end; ++k) look(agents[k], take);
-  });
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index i = awake_.agents[k];
+      AgentMotion& agent = awake_.motion[k];
+      if (agent.way < wayUntilLook * agent.radius) continue;
+      agent.way = 0;
+      // Listed ones out of range are left out, so that who is looked at does not depend on the list.
+      const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(agent, j); };
+      for (const Index j : forces_.neighbours().of(i)) take(j, inRange);
+      for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
+    }
+  };
+  return unmarkAll(gatherPieces(awake_.size(), lookAround));
 }
 
 std::vector<Index> RelaxingAgents::unmarkAll(std::vector<Index> marked) {

@@ -33,8 +33,8 @@ class RelaxingAgents {
   void begin(std::unique_ptr<Minimiser> minimiser);
   /// One step of the awake agents, then the forces on them.
   void advance();
-  /// Computes the forces on all sleeping agents next to an awake one and wakes those clearly above the
-  /// tolerance; tells whether there were any.
+  /// Computes the forces on all sleeping agents in range of an awake one that has come some way since this
+  /// was last done, and wakes those clearly above the tolerance; tells whether there were any.
   bool wakeDisturbed();
 
   /// Puts the awake agents to sleep that have settled: at a residual of this share of the tolerance. Where
@@ -58,11 +58,10 @@ class RelaxingAgents {
   std::pair<Index, AgentForce> mostRestless() const;
 
  private:
-  /// Marks the agents that look(agent, take) passes to take(j, wanted) for one of `agents`, if they are not
-  /// marked yet and wanted(j), which is asked of unmarked ones only; returns them in no particular order.
-  template <class Look>
-  std::vector<Index> collect(const std::vector<Index>& agents, Look&& look);
-  /// The same agents, which are all that are marked, in ascending order and no more marked.
+  /// The sleepers in range of an awake agent that has come some way, whose ways begin anew; in ascending
+  /// order.
+  std::vector<Index> sleepersBesideMovers();
+  /// These agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
   /// Whether an agent, or all of those with these largest values [N], has settled at this share of the
   /// tolerance.
@@ -107,7 +106,6 @@ class RelaxingAgents {
   std::vector<std::uint8_t> isAwake_;
   MovingAgents awake_;
   std::optional<Sight> sight_;        ///< nothing where awake_ or its forces have changed since
-  std::vector<Index> relisted_;       ///< whose neighbours have changed since sleepers were looked at
   std::vector<std::uint8_t> marked_;  ///< scratch
 };
 
