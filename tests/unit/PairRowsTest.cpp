@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -45,15 +46,18 @@ using Row = std::vector<std::pair<Index, float>>;
 Row rowAt(const PairRows& rows, std::size_t n, Index nobody) {
   Row row;
   bool ended = false;
-  for (const PairRows::Line& line : rows.lines(n / PairRows::width)) {
-    const Index partner = line.partner[n % PairRows::width];
-    const float rest = line.rest[n % PairRows::width];
+  const std::size_t group = n / PairRows::width, lane = n % PairRows::width;
+  const auto partners = rows.partners(group);
+  const auto rests = rows.rests(group);
+  const bool allMarked = rows.kind(group) == PairRows::Kind::marked;
+  EXPECT_EQ(rests.size(), allMarked ? 0 : partners.size());
+  for (std::size_t line = 0; line < partners.size(); ++line) {
+    const Index partner = partners[line].agent[lane];
     ended |= partner == nobody;
     EXPECT_EQ(ended, partner == nobody) << "a partner behind the end of the row";
-    if (ended) {
-      EXPECT_EQ(rest, INFINITY);
-    } else {
-      row.emplace_back(partner, rest);
+    if (!ended) row.emplace_back(partner, allMarked ? -INFINITY : rests[line].length[lane]);
+    if (ended && !allMarked) {
+      EXPECT_EQ(rests[line].length[lane], INFINITY);
     }
   }
   return row;
@@ -98,32 +102,43 @@ TEST(PairRows, HoldNeighboursAndBondPartnersOnceEachInAscendingOrder) {
     EXPECT_TRUE(rowAt(rows, n, tissue.nobody()).empty()) << n;
 }
 
-TEST(PairRows, StandByDaughtersThenByLengthThenByPlace) {
-  const Tissue tissue(512);
+TEST(PairRows, StandByKindThenByLengthThenByPlace) {
+  Tissue tissue(512);
+  for (Index i = 1; i < tissue.agents.size(); i += 4) {
+    tissue.bonds.disconnectAll(2 * i);
+    tissue.agents.set(2 * i, AgentFlag::daughter, true);
+  }
+  tissue.list.build(tissue.agents, {.factor = 1, .daughterFactor = 1.3, .skin = r});
   const std::vector<Index> agents = everySecond(tissue);
   ASSERT_EQ(agents.size(), PairRows::most);
   PairRows rows;
   rows.layOut(tissue.source(), agents, tissue.nobody());
-  using Key = std::tuple<bool, std::size_t, std::size_t>;
+  using Kind = PairRows::Kind;
+  using Key = std::tuple<Kind, std::size_t, std::size_t>;
   std::vector<Key> keys;
-  std::size_t marked = 0;
+  std::map<Kind, std::size_t> count;
   for (std::size_t k = 0; k < agents.size(); ++k) {
     const Row row = expectedRow(tissue, agents[k]);
-    const bool isMarked = std::ranges::any_of(row, [](const auto& pair) { return pair.second < 0; });
-    keys.emplace_back(isMarked, row.size(), k);
-    marked += isMarked;
+    const bool anyMarked = std::ranges::any_of(row, [](const auto& pair) { return pair.second < 0; });
+    const bool allMarked =
+        tissue.agents.has(agents[k], AgentFlag::daughter) &&
+        std::ranges::all_of(row, [](const auto& pair) { return pair.second == -INFINITY; });
+    const Kind kind = allMarked ? Kind::marked : anyMarked ? Kind::mixed : Kind::unmarked;
+    keys.emplace_back(kind, row.size(), k);
+    ++count[kind];
   }
   std::ranges::sort(keys);
-  ASSERT_GT(marked, 2 * PairRows::width);
-  ASSERT_LT(marked, agents.size() - 2 * PairRows::width);
+  for (const Kind kind : {Kind::unmarked, Kind::mixed, Kind::marked})
+    ASSERT_GT(count[kind], 2 * PairRows::width) << static_cast<int>(kind);
   for (std::size_t n = 0; n < keys.size(); ++n) EXPECT_EQ(rows[n], std::get<2>(keys[n])) << n;
   for (std::size_t g = 0; g < rows.groups(); ++g) {
     const std::size_t first = g * PairRows::width;
     std::size_t longest = 0;
     for (std::size_t n = first; n < first + PairRows::width; ++n)
       longest = std::max(longest, std::get<1>(keys[n]));
-    EXPECT_EQ(rows.lines(g).size(), longest) << g;
-    EXPECT_EQ(rows.marked(g), std::get<0>(keys[first + PairRows::width - 1])) << g;
+    EXPECT_EQ(rows.partners(g).size(), longest) << g;
+    const Kind lowest = std::get<0>(keys[first]), highest = std::get<0>(keys[first + PairRows::width - 1]);
+    EXPECT_EQ(rows.kind(g), lowest == highest ? lowest : Kind::mixed) << g;
   }
 }
 

@@ -40,10 +40,8 @@ class PairForces {
       const std::size_t count = std::min<std::size_t>(lanes, agents.size() - first);
       for (std::size_t n = 0; n < count; ++n) self[n] = agents[rows[first + n]];
       std::fill(self.begin() + count, self.end(), self[0]);  // lanes beyond the last have rows of nobody
-      const bool apart = rows.marked(group) ? sum<true, false>(rows.lines(group), lane, self, ofLanes)
-                                            : sum<false, false>(rows.lines(group), lane, self, ofLanes);
-      if (!apart) [[unlikely]]
-        sum<true, true>(rows.lines(group), lane, self, ofLanes);
+      if (!sumOf<false>(rows, group, lane, self, ofLanes)) [[unlikely]]
+        sumOf<true>(rows, group, lane, self, ofLanes);
       for (std::size_t n = 0; n < count; ++n) loads[rows[first + n]] = ofLanes[n];
     }
   }
@@ -55,16 +53,31 @@ class PairForces {
   // far above underflow, in single precision too.
   static constexpr Real coincident = 1e-15F;
 
-  /// The loads of the agents `self`, whose rows begin at `lane` of `lines`. Returns false, the loads being
+  /// The loads of the agents `self`, whose rows begin at `lane` of this group. Returns false, the loads being
   /// wrong, if centres coincide and `careful` is not set.
-  template <bool cohesive, bool careful>
-  bool sum(std::span<const PairRows::Line> lines, std::size_t lane, const std::array<Index, lanes>& self,
+  template <bool careful>
+  bool sumOf(const PairRows& rows, std::size_t group, std::size_t lane, const std::array<Index, lanes>& self,
+             std::array<AgentLoad, lanes>& loads) const {
+    switch (rows.kind(group)) {
+      case PairRows::Kind::unmarked:
+        return sum<PairRows::Kind::unmarked, careful>(rows, group, lane, self, loads);
+      case PairRows::Kind::mixed:
+        return sum<PairRows::Kind::mixed, careful>(rows, group, lane, self, loads);
+      default:
+        return sum<PairRows::Kind::marked, careful>(rows, group, lane, self, loads);
+    }
+  }
+  template <PairRows::Kind kind, bool careful>
+  bool sum(const PairRows& rows, std::size_t group, std::size_t lane, const std::array<Index, lanes>& self,
            std::array<AgentLoad, lanes>& loads) const {
+    constexpr bool bonded = kind != PairRows::Kind::marked;
+    const auto lines = rows.partners(group);
+    const auto rests = rows.rests(group);
     const auto here = spheres_.at(self.data());
     const bool allBondsAlike = attraction_.axialFactor == 1;
     Values fx = 0, fy = 0, fz = 0, virial = 0, firmness = 0, stiffness = 0, nearest2 = Real{1};
-    for (const PairRows::Line& line : lines) {
-      const Index* const partners = line.partner.data() + lane;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+      const Index* const partners = lines[n].agent.data() + lane;
       const auto there = spheres_.at(partners);
       Values dx, dy, dz;
       spheres_.separation(here, there, dx, dy, dz);
@@ -81,18 +94,23 @@ class PairForces {
       firmness += slope;
       stiffness += slope;
 
-      const Values rest = Values::from(line.rest.data() + lane);
-      // Where the direction does not matter the division is saved: the result is the same.
-      const Values cosine = allBondsAlike ? Values(0) : dz / distance;
       Values pull;
-      attraction_.evaluate(distance, rest.abs(), radii, cosine * cosine, pull, slope);
-      push -= pull;
-      stiffness += slope;
-
-      if constexpr (cohesive) {
+      if constexpr (bonded) {
+        const Values rest = Values::from(rests[n].length.data() + lane);
+        // Where the direction does not matter the division is saved: the result is the same.
+        const Values cosine = allBondsAlike ? Values(0) : dz / distance;
+        attraction_.evaluate(distance, rest.abs(), radii, cosine * cosine, pull, slope);
+        push -= pull;
+        stiffness += slope;
+        if constexpr (kind == PairRows::Kind::mixed) {
+          cohesion_.evaluate(distance - radii, radii, pull, slope);
+          push -= pull.where(rest < Real{0});
+          stiffness += slope.where(rest < Real{0});
+        }
+      } else {
         cohesion_.evaluate(distance - radii, radii, pull, slope);
-        push -= pull.where(rest < Real{0});
-        stiffness += slope.where(rest < Real{0});
+        push -= pull;
+        stiffness += slope;
       }
       const Values overDistance = push / distance;
       fx += overDistance * dx;

@@ -23,6 +23,14 @@ void sortByKey(std::span<const std::uint8_t> keys, std::span<std::uint8_t> order
   for (std::size_t k = 0; k < keys.size(); ++k) order[start[keys[k]]++] = static_cast<std::uint8_t>(k);
 }
 
+/// Makes the vector so long; what it holds need not be kept.
+template <class T>
+void resizeAnew(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) values = {};
+  makeRoom(values, size);
+  values.resize(size);
+}
+
 }  // namespace
 
 void PairRows::layOut(const PairSource& source, std::span<const Index> agents, Index nobody) {
@@ -30,38 +38,62 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
   size_ = agents.size();
   nobody_ = nobody;
 
+  struct Row {
+    Kind kind;
+    std::uint32_t length, start;  // in `pairs`, but for marked rows
+  };
   thread_local std::vector<ActingPair> pairs;
   pairs.clear();
-  std::array<std::size_t, most + 1> start{};
+  std::array<Row, most> rows;
   std::array<std::uint8_t, most> key;
   for (std::size_t k = 0; k < size_; ++k) {
-    const bool marked = source.append(agents[k], pairs);
-    start[k + 1] = pairs.size();
-    const auto length = std::min<std::size_t>(start[k + 1] - start[k], lengths - 1);
-    key[k] = static_cast<std::uint8_t>(length + (marked ? lengths : 0));
-  }
-  sortByKey<2 * lengths>(std::span(key).first(size_), order_);
-
-  std::uint32_t end = 0;
-  for (std::size_t g = 0; g < groups(); ++g) {
-    std::size_t longest = 0;
-    bool marked = false;
-    for (std::size_t n = g * width; n < std::min(size_, (g + 1) * width); ++n) {
-      const std::size_t k = order_[n];
-      longest = std::max(longest, start[k + 1] - start[k]);
-      marked |= key[k] >= lengths;
+    Row& row = rows[k];
+    row.start = static_cast<std::uint32_t>(pairs.size());
+    if (source.allMarked(agents[k])) {
+      row.kind = Kind::marked;
+      row.length = static_cast<std::uint32_t>(source.neighbours.of(agents[k]).size());
+    } else {
+      row.kind = source.append(agents[k], pairs) ? Kind::mixed : Kind::unmarked;
+      row.length = static_cast<std::uint32_t>(pairs.size()) - row.start;
     }
-    const auto length = static_cast<std::uint32_t>(longest);
-    groups_[g] = {.start = end, .length = length, .room = length + spareLines, .marked = marked};
-    end += groups_[g].room;
+    const std::uint32_t length = std::min(row.length, lengths - 1);
+    key[k] = static_cast<std::uint8_t>(length + lengths * static_cast<std::uint32_t>(row.kind));
   }
-  if (end > lines_.capacity()) lines_ = {};  // what it holds need not be copied
-  makeRoom(lines_, end);
-  lines_.resize(end);
+  sortByKey<3 * lengths>(std::span(key).first(size_), order_);
+
+  std::uint32_t end = 0, endOfRests = 0;
+  for (std::size_t g = 0; g < groups(); ++g) {
+    const std::size_t last = std::min(size_, (g + 1) * width) - 1;
+    std::uint32_t longest = 0;
+    for (std::size_t n = g * width; n <= last; ++n) longest = std::max(longest, rows[order_[n]].length);
+    const Kind first = rows[order_[g * width]].kind;
+    const Kind kind = first == rows[order_[last]].kind ? first : Kind::mixed;
+    groups_[g] = {
+        .start = end, .restStart = endOfRests, .length = longest, .room = longest + spareLines, .kind = kind};
+    end += groups_[g].room;
+    if (kind != Kind::marked) endOfRests += groups_[g].room;
+  }
+  resizeAnew(partners_, end);
+  resizeAnew(rests_, endOfRests);
   for (std::size_t n = 0; n < groups() * width; ++n) {
-    std::span<const ActingPair> row;
-    if (n < size_) row = std::span(pairs).subspan(start[order_[n]], start[order_[n] + 1U] - start[order_[n]]);
-    put(groups_[n / width], n % width, row);
+    const Group& group = groups_[n / width];
+    const std::size_t lane = n % width;
+    if (n >= size_) {
+      group.kind == Kind::marked ? put(group, lane, std::span<const Index>())
+                                 : put(group, lane, std::span<const ActingPair>());
+      continue;
+    }
+    const Row& row = rows[order_[n]];
+    if (group.kind == Kind::marked) {
+      put(group, lane, source.neighbours.of(agents[order_[n]]));
+    } else if (row.kind == Kind::marked) {
+      thread_local std::vector<ActingPair> markedRow;
+      markedRow.clear();
+      source.append(agents[order_[n]], markedRow);
+      put(group, lane, markedRow);
+    } else {
+      put(group, lane, std::span<const ActingPair>(pairs).subspan(row.start, row.length));
+    }
   }
 }
 
@@ -73,18 +105,31 @@ bool PairRows::replace(const PairSource& source, std::size_t k, Index i) {
   Group& group = groups_[place / width];
   if (row.size() > group.room) return false;
   group.length = std::max(group.length, static_cast<std::uint32_t>(row.size()));
-  group.marked |= marked;
-  put(group, place % width, row);
+  if (group.kind == Kind::marked) {
+    // Who is a daughter remains one, and bonds do not change while agents move.
+    assert(source.allMarked(i));
+    put(group, place % width, source.neighbours.of(i));
+  } else {
+    if (marked) group.kind = Kind::mixed;
+    put(group, place % width, row);
+  }
   return true;
 }
 
 void PairRows::put(const Group& group, std::size_t lane, std::span<const ActingPair> row) {
-  const auto lines = std::span(lines_).subspan(group.start, group.room);
-  for (std::size_t n = 0; n < lines.size(); ++n) {
+  const auto partners = std::span(partners_).subspan(group.start, group.room);
+  const auto rests = std::span(rests_).subspan(group.restStart, group.room);
+  for (std::size_t n = 0; n < group.room; ++n) {
     const bool is = n < row.size();
-    lines[n].partner[lane] = is ? row[n].partner : nobody_;
-    lines[n].rest[lane] = is ? row[n].rest : std::numeric_limits<float>::infinity();
+    partners[n].agent[lane] = is ? row[n].partner : nobody_;
+    rests[n].length[lane] = is ? row[n].rest : std::numeric_limits<float>::infinity();
   }
+}
+
+void PairRows::put(const Group& group, std::size_t lane, std::span<const Index> markedRow) {
+  const auto partners = std::span(partners_).subspan(group.start, group.room);
+  for (std::size_t n = 0; n < markedRow.size(); ++n) partners[n].agent[lane] = markedRow[n];
+  for (std::size_t n = markedRow.size(); n < group.room; ++n) partners[n].agent[lane] = nobody_;
 }
 
 }  // namespace restenosis

@@ -23,6 +23,10 @@ struct PairSource {
   const std::vector<std::uint8_t>& flags;  ///< of the agents
   bool marksDaughters;                     ///< whether pairs with a daughter are marked
 
+  /// Whether all pairs of agent i are marked and none has a bond: its partners are its neighbours.
+  bool allMarked(Index i) const {
+    return marksDaughters && (flags[i] & AgentFlag::daughter) && bonds.of(i).empty();
+  }
   /// Appends the partners of agent i in ascending order, each once; returns whether any pair is marked.
   bool append(Index i, std::vector<ActingPair>& pairs) const;
 };

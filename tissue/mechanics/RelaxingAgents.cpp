@@ -26,15 +26,18 @@ constexpr double wakingShare = 1.1;
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
 
-// Sleepers beside an awake agent are looked at again once it has come this many of its radii, on which the
-// force of a contact changes by half of the tolerance. Looking at them however little it moved took a seventh
-// more time and led to the same thickness (docs/developer/tried.md).
-constexpr double wayUntilLook = 0.02;
+// Sleepers beside an awake agent are looked at again once it has come so far that the force of the softest
+// contact has changed by this share of the tolerance: a fiftieth of a radius by default. Looking at them
+// however little it moved took a seventh more time and led to the same thickness (docs/developer/tried.md).
+constexpr double changeUntilLook = 0.6;
 
 }  // namespace
 
 RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping)
-    : forces_(forces), tolerance_(tolerance), sleeping_(sleeping) {}
+    : forces_(forces),
+      tolerance_(tolerance),
+      wayUntilLook_(changeUntilLook * tolerance / forces.softest()),
+      sleeping_(sleeping) {}
 
 void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
@@ -135,7 +138,7 @@ std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = awake_.agents[k];
       AgentMotion& agent = awake_.motion[k];
-      if (agent.way < wayUntilLook * agent.radius) continue;
+      if (agent.way < wayUntilLook_) continue;
       agent.way = 0;
       // Listed ones out of range are left out, so that who is looked at does not depend on the list.
       const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(agent, j); };
