@@ -104,9 +104,9 @@ TEST(PairRows, HoldNeighboursAndBondPartnersOnceEachInAscendingOrder) {
 
 TEST(PairRows, StandByKindThenByLengthThenByPlace) {
   Tissue tissue(512);
-  for (Index i = 1; i < tissue.agents.size(); i += 4) {
-    tissue.bonds.disconnectAll(2 * i);
-    tissue.agents.set(2 * i, AgentFlag::daughter, true);
+  for (Index i = 2; i < tissue.agents.size(); i += 8) {
+    tissue.bonds.disconnectAll(i);
+    tissue.agents.set(i, AgentFlag::daughter, true);
   }
   tissue.list.build(tissue.agents, {.factor = 1, .daughterFactor = 1.3, .skin = r});
   const std::vector<Index> agents = everySecond(tissue);
