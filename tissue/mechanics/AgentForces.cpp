@@ -37,7 +37,7 @@ void requireSound(const AgentStore& agents, const BondTable& bonds) {
                                           agents.id[bad.agent], agents.radius[bad.agent]));
 }
 
-static_assert(PairRows::most == chunkSize);
+static_assert(PairRows::most == chunkSize && MotionPiece::most == chunkSize);
 
 // Of what is added to a leash and of what is taken off it: single precision errs by less.
 constexpr double shorter = 1 - 1e-5;
@@ -152,7 +152,6 @@ void AgentForces::project() {
 AgentMotion AgentForces::motionOf(Index i) const {
   const Vec3 position = agents_.position(i);
   return {.position = position,
-          .now = {},
           .radius = agents_.radius[i],
           .leash = leashOf(i, position),
           .kind = agents_.kind[i],
@@ -163,32 +162,50 @@ float AgentForces::leashOf(Index i, const Vec3& position) const {
   return static_cast<float>(shorter * neighbours_.room(i, position));
 }
 
-bool AgentForces::moveTo(Index i, AgentMotion& agent, const Vec3& position) {
-  Vec3 place = position;
-  for (const Constraint* constraint : constraints_) constraint->project(agent.kind, agent.radius, place);
-  const float step = longer * std::sqrt(static_cast<float>((place - agent.position).squaredNorm()));
-  agent.leash -= step;
-  agent.way += step;
-  agent.position = place;
-  spheres_.moveTo(i, place, agent.radius);
-  const double comfortable = neighbours_.comfortableRoom();
-  if (agent.leash > comfortable) return false;
-  agent.leash = leashOf(i, place);
-  return !(agent.leash > comfortable);
+void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const Moves& moves,
+                       std::vector<Index>& cramped) {
+  Moves to;
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    to.x[k] = piece.x[k] + moves.x[k];
+    to.y[k] = piece.y[k] + moves.y[k];
+    to.z[k] = piece.z[k] + moves.z[k];
+  }
+  for (const Constraint* constraint : constraints_) {
+    for (std::size_t k = 0; k < agents.size(); ++k) {
+      Vec3 place(to.x[k], to.y[k], to.z[k]);
+      constraint->project(piece.kind[k], piece.radius[k], place);
+      to.x[k] = place.x(), to.y[k] = place.y(), to.z[k] = place.z();
+    }
+  }
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    const double dx = to.x[k] - piece.x[k], dy = to.y[k] - piece.y[k], dz = to.z[k] - piece.z[k];
+    const float step = longer * std::sqrt(static_cast<float>(dx * dx + dy * dy + dz * dz));
+    piece.leash[k] -= step;
+    piece.way[k] += step;
+    piece.x[k] = to.x[k], piece.y[k] = to.y[k], piece.z[k] = to.z[k];
+  }
+  const auto comfortable = static_cast<float>(neighbours_.comfortableRoom());
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    spheres_.moveTo(agents[k], piece.position(k), piece.radius[k]);
+    if (piece.leash[k] > comfortable) continue;
+    piece.leash[k] = leashOf(agents[k], piece.position(k));
+    if (!(piece.leash[k] > comfortable)) cramped.push_back(static_cast<Index>(k));
+  }
 }
 
-bool AgentForces::inRange(const AgentMotion& agent, Index j) const {
-  const bool daughter = agent.daughter || agents_.has(j, AgentFlag::daughter);
+bool AgentForces::inRange(const MotionPiece& piece, std::size_t k, Index j) const {
+  const bool daughter = piece.daughter[k] || agents_.has(j, AgentFlag::daughter);
   const double reach =
-      (daughter ? range_.daughterFactor : range_.factor) * (agent.radius + agents_.radius[j]);
-  return (agent.position - agents_.position(j)).squaredNorm() < reach * reach;
+      (daughter ? range_.daughterFactor : range_.factor) * (piece.radius[k] + agents_.radius[j]);
+  return (piece.position(k) - agents_.position(j)).squaredNorm() < reach * reach;
 }
 
 void AgentForces::updateLists(MovingAgents& moving, std::span<const Index> cramped) {
-  if (std::ranges::all_of(cramped, [&](Index k) { return moving.motion[k].leash >= 0; })) return;
+  const auto hasRoom = [&](Index k) { return moving.pieceOf(k).leash[moving.inPiece(k)] >= 0; };
+  if (std::ranges::all_of(cramped, hasRoom)) return;
   std::vector<Index> moved;
   for (const Index k : cramped) {
-    place(moving.agents[k], moving.motion[k]);
+    place(moving.agents[k], moving.position(k));
     moved.push_back(moving.agents[k]);
   }
   if (!neighbours_.worthLookingUp(moved.size())) placeAll(moving);  // it is built anew from all
@@ -202,16 +219,26 @@ void AgentForces::updateLists(MovingAgents& moving, std::span<const Index> cramp
   }
 }
 
-AgentForce AgentForces::forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
-                                const Vec3& position) const {
-  AgentForce on{.force = load.force(), .stiffness = std::max(settings_.softest, load.stiffness)};
-  for (const Constraint* constraint : constraints_) constraint->release(kind, radius, position, on.force);
-  on.restlessness = on.force.norm();
-  if (daughter) {
-    const double held = std::max(settings_.softest, load.firmness);
-    on.restlessness *= std::max(1.0, settings_.firm / held);
+void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads) const {
+  MotionPiece::Doubles firmness;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    piece.setForce(k, loads[k].force());
+    piece.stiffness[k] = std::max(settings_.softest, loads[k].stiffness);
+    firmness[k] = loads[k].firmness;
   }
-  return on;
+  for (const Constraint* constraint : constraints_) {
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      Vec3 force = piece.force(k);
+      constraint->release(piece.kind[k], piece.radius[k], piece.position(k), force);
+      piece.setForce(k, force);
+    }
+  }
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const double held = std::max(settings_.softest, firmness[k]);
+    const double times = piece.daughter[k] ? std::max(1.0, settings_.firm / held) : 1.0;
+    const double squared = piece.fx[k] * piece.fx[k] + piece.fy[k] * piece.fy[k] + piece.fz[k] * piece.fz[k];
+    piece.restlessness[k] = times * std::sqrt(squared);
+  }
 }
 
 template <class Spheres>
@@ -222,17 +249,16 @@ void AgentForces::evaluateOnce(const Spheres& spheres, std::span<const Index> pi
   field_.evaluate(spheres, rows, piece, loads);
 }
 
-template <class LoadsOf, class Set, class Seen>
-void AgentForces::evaluate(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set,
-                           const Seen& look) {
+template <class LoadsOf, class Set>
+void AgentForces::evaluatePieces(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set) {
   const auto bad = reducePieces<Any>(agents.size(), [&](std::size_t begin, std::size_t end, Any& part) {
     std::array<AgentLoad, chunkSize> loads;
-    loadsOf(begin, end, loads);
-    for (std::size_t k = begin; k < end; ++k) {
-      const AgentForce& on = set(k, loads[k - begin]);
-      if (!part.found && !std::isfinite(on.restlessness)) part = {true, agents[k], on.force};
-    }
-    look(begin, end);
+    const auto ofPiece = std::span(loads).first(end - begin);
+    loadsOf(begin, ofPiece);
+    const MotionPiece& piece = set(begin, ofPiece);
+    for (std::size_t k = 0; k < ofPiece.size(); ++k)
+      if (!part.found && !std::isfinite(piece.restlessness[k]))
+        part = {true, agents[begin + k], piece.force(k)};
   });
   evaluations_ += agents.size();
   if (!bad.found) return;
@@ -244,32 +270,38 @@ void AgentForces::evaluate(std::span<const Index> agents, const LoadsOf& loadsOf
 
 template <class Spheres>
 void AgentForces::evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take) {
-  const auto set = [&](std::size_t k, const AgentLoad& load) {
-    const Index i = subset[k];
-    const AgentForce on = forceOn(load, agents_.kind[i], agents_.has(i, AgentFlag::daughter),
-                                  agents_.radius[i], agents_.position(i));
-    agents_.pressure[i] = load.pressure;
-    take(k, i, on);
-    return on;
+  const auto loadsOf = [&](std::size_t begin, std::span<AgentLoad> loads) {
+    evaluateOnce(spheres, subset.subspan(begin, loads.size()), loads);
   };
-  const auto loadsOf = [&](std::size_t begin, std::size_t end, std::span<AgentLoad> loads) {
-    evaluateOnce(spheres, subset.subspan(begin, end - begin), loads);
+  const auto set = [&](std::size_t begin, std::span<const AgentLoad> loads) -> const MotionPiece& {
+    thread_local MotionPiece piece;
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      const Index i = subset[begin + k];
+      piece.x[k] = agents_.x[i], piece.y[k] = agents_.y[i], piece.z[k] = agents_.z[i];
+      piece.radius[k] = agents_.radius[i];
+      piece.kind[k] = agents_.kind[i], piece.daughter[k] = agents_.has(i, AgentFlag::daughter);
+      agents_.pressure[i] = loads[k].pressure;
+    }
+    setForces(piece, loads);
+    for (std::size_t k = 0; k < loads.size(); ++k) take(begin + k, subset[begin + k], piece.now(k));
+    return piece;
   };
-  evaluate(subset, loadsOf, set, [](std::size_t, std::size_t) {});
+  evaluatePieces(subset, loadsOf, set);
 }
 
 void AgentForces::evaluate(MovingAgents& moving, const Look& look) {
   if (!moving.areRowsOf) layOut(moving);
-  const auto set = [&](std::size_t k, const AgentLoad& load) -> const AgentForce& {
-    AgentMotion& agent = moving.motion[k];
-    return agent.now = forceOn(load, agent.kind, agent.daughter, agent.radius, agent.position);
+  const auto set = [&](std::size_t begin, std::span<const AgentLoad> loads) -> const MotionPiece& {
+    MotionPiece& piece = moving.pieceOf(begin);
+    setForces(piece, loads);
+    look(begin, begin + loads.size());
+    return piece;
   };
   spheres_.withPresent([&](const auto& spheres) {
-    const auto loadsOf = [&](std::size_t begin, std::size_t end, std::span<AgentLoad> loads) {
-      const auto piece = std::span<const Index>(moving.agents).subspan(begin, end - begin);
-      field_.evaluate(spheres, moving.rows[begin / PairRows::most], piece, loads);
+    const auto loadsOf = [&](std::size_t begin, std::span<AgentLoad> loads) {
+      field_.evaluate(spheres, moving.rows[begin / PairRows::most], moving.agentsFrom(begin), loads);
     };
-    evaluate(moving.agents, loadsOf, set, look);
+    evaluatePieces(moving.agents, loadsOf, set);
   });
 }
 
@@ -278,7 +310,7 @@ void AgentForces::evaluate(std::span<const Index> resting, const Take& take) {
 }
 
 void AgentForces::placeAll(const MovingAgents& moving) {
-  forEachInChunks(moving.size(), [&](std::size_t k) { place(moving.agents[k], moving.motion[k]); });
+  forEachInChunks(moving.size(), [&](std::size_t k) { place(moving.agents[k], moving.position(k)); });
 }
 
 std::vector<Index> AgentForces::unsure(const MovingAgents& moving) {

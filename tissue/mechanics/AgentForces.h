@@ -6,27 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "AgentMotion.h"
 #include "AgentSpheres.h"
 #include "AgentStore.h"
 #include "BondTable.h"
 #include "Constraint.h"
 #include "ForceField.h"
+#include "MovingAgents.h"
 #include "NeighbourList.h"
-#include "PairRows.h"
 #include "UnsureForces.h"
 
 namespace restenosis {
-
-/// Agents that move.
-struct MovingAgents {
-  std::vector<Index> agents;  ///< in ascending order
-  std::vector<AgentMotion> motion;
-  std::vector<PairRows> rows;  ///< of each piece of PairRows::most agents; AgentForces' own
-  bool areRowsOf = false;      ///< whether `rows` are those of these agents: to be cleared when others move
-
-  std::size_t size() const { return agents.size(); }
-};
 
 /// The forces on agents of which few move, and whose may have changed since they were computed. Positions are
 /// changed through it, so that its copies of them, the neighbour list and the rows of pairs follow; the
@@ -65,21 +54,22 @@ class AgentForces {
   double residual(Index i) const { return residual_[i]; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 
-  /// Agent i of the store as one that moves, at rest; no force is known.
+  /// Agent i of the store.
   AgentMotion motionOf(Index i) const;
   /// These agents move from now on, until evaluateExactly() names others.
   void startMoving(std::span<const Index> agents) { unsure_.startMoving(agents); }
-  /// Moves `agent`, which is agent i and was named to startMoving, to the nearest place its constraints
-  /// allow. Returns whether it is cramped: to be named to updateLists. May be called from several threads,
-  /// for different agents.
-  bool moveTo(Index i, AgentMotion& agent, const Vec3& position);
+  /// Moves the agents of a piece, named to startMoving, to the nearest places their constraints allow.
+  /// Appends the places in the piece of those that are cramped: to be named to updateLists. May be called
+  /// from several threads, for different pieces.
+  void move(std::span<const Index> agents, MotionPiece& piece, const Moves& moves,
+            std::vector<Index>& cramped);
   /// Tells the store where an agent is.
-  void place(Index i, const AgentMotion& agent) { agents_.setPosition(i, agent.position); }
+  void place(Index i, const Vec3& position) { agents_.setPosition(i, position); }
   /// Brings the lists up to date after these agents did move; `cramped` are the places among them, ascending,
   /// of those that are.
   void updateLists(MovingAgents& moving, std::span<const Index> cramped);
-  /// Whether an agent that moves is in range of agent j, which is where the store has it.
-  bool inRange(const AgentMotion& agent, Index j) const;
+  /// Whether the k-th agent of a piece is in range of agent j, which is where the store has it.
+  bool inRange(const MotionPiece& piece, std::size_t k, Index j) const;
 
   /// Is told that the forces on the agents [begin, end) have been computed.
   using Look = std::function<void(std::size_t begin, std::size_t end)>;
@@ -115,17 +105,18 @@ class AgentForces {
   void placeAll(const MovingAgents& moving);
   /// The room that an agent has, in single precision, which errs to the safe side [m].
   float leashOf(Index i, const Vec3& position) const;
-  AgentForce forceOn(const AgentLoad& load, AgentKind kind, bool daughter, double radius,
-                     const Vec3& position) const;
+  /// Sets the forces on the agents of a piece by their loads.
+  void setForces(MotionPiece& piece, std::span<const AgentLoad> loads) const;
   /// Sets the loads of a piece of `agents` whose rows are not kept.
   template <class Spheres>
   void evaluateOnce(const Spheres& spheres, std::span<const Index> piece, std::span<AgentLoad> loads) const;
-  /// Takes the loads of each piece [begin, end) of `agents` from loadsOf(begin, end, loads), lets set(k,
-  /// load) make of each the force on the k-th agent, then calls look(begin, end).
-  template <class LoadsOf, class Set, class Seen>
-  void evaluate(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set, const Seen& look);
   template <class Spheres>
   void evaluateResting(const Spheres& spheres, std::span<const Index> subset, const Take& take);
+  /// Lets set(begin, loads) set the forces on the piece of `agents` that begins there, and return it, its
+  /// loads being what loadsOf(begin, loads) makes them. Throws std::runtime_error naming one on which the
+  /// force is not finite.
+  template <class LoadsOf, class Set>
+  void evaluatePieces(std::span<const Index> agents, const LoadsOf& loadsOf, const Set& set);
   /// Sets the pressures of those fixed agents of whom something may have changed.
   void pressHeld();
 

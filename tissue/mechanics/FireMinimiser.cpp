@@ -20,10 +20,30 @@ Vec3 mobilityShares(double axialFactor) {
   return {slower, slower, slower * axialFactor};
 }
 
-/// The share of its velocity that an agent sets out with.
-double keptUphill(const AgentMotion& agent, double power) {
-  if (power > 0) return 1;
-  return agent.now.force.isZero(0) ? 0 : uphillShare;
+using Values = MotionPiece::Values;
+
+/// Three components of several agents.
+struct Vectors {
+  Values x, y, z;
+  Vectors(const Values& ofX, const Values& ofY, const Values& ofZ) : x(ofX), y(ofY), z(ofZ) {}
+  Vectors(const MotionPiece::Doubles& ofX, const MotionPiece::Doubles& ofY, const MotionPiece::Doubles& ofZ,
+          std::size_t k)
+      : x(Values::from(&ofX[k])), y(Values::from(&ofY[k])), z(Values::from(&ofZ[k])) {}
+  Values dot(const Vectors& o) const { return x * o.x + y * o.y + z * o.z; }
+  /// Of their squares, each component times its weight.
+  Values squares(const Vec3& weight) const {
+    return x * x * weight.x() + y * y * weight.y() + z * z * weight.z();
+  }
+};
+
+Vectors velocities(const MotionPiece& agents, std::size_t k) { return {agents.vx, agents.vy, agents.vz, k}; }
+Vectors forces(const MotionPiece& agents, std::size_t k) { return {agents.fx, agents.fy, agents.fz, k}; }
+
+/// The shares of their velocities that agents set out with.
+Values keptUphill(const Vectors& force, const Values& power) {
+  const auto downhill = Values(0) < power;
+  const auto none = (force.x == Values(0)) & (force.y == Values(0)) & (force.z == Values(0));
+  return Values(1).where(downhill) + Values(uphillShare).where(~downhill & ~none);
 }
 
 }  // namespace
@@ -35,14 +55,19 @@ FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
 
-void FireMinimiser::total(std::span<const AgentMotion> agents, StepTotals& totals) const {
-  for (const AgentMotion& agent : agents) {
-    const Vec3& force = agent.now.force;
-    const double power = force.dot(agent.velocity), kept = keptUphill(agent, power);
-    totals.power += power;
-    totals.velocity += kept * kept * agent.now.stiffness * agent.velocity.cwiseAbs2().dot(massShare_);
-    totals.force += force.cwiseAbs2().dot(mobilityShare_) / agent.now.stiffness;
+void FireMinimiser::total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const {
+  Values powers = 0, ofVelocities = 0, ofForces = 0;
+  for (std::size_t k = 0; k < count; k += MotionPiece::lanes) {
+    const Vectors force = forces(agents, k), velocity = velocities(agents, k);
+    const Values stiffness = Values::from(&agents.stiffness[k]);
+    const Values power = force.dot(velocity), kept = keptUphill(force, power);
+    powers += power;
+    ofVelocities += kept * kept * stiffness * velocity.squares(massShare_);
+    ofForces += force.squares(mobilityShare_) / stiffness;
   }
+  totals.power += powers.sum();
+  totals.velocity += ofVelocities.sum();
+  totals.force += ofForces.sum();
 }
 
 void FireMinimiser::begin(const StepTotals& totals) {
@@ -64,17 +89,26 @@ void FireMinimiser::begin(const StepTotals& totals) {
   steer_ = std::min(steer_, std::max(0.0, borne - timeStep_));
 }
 
-void FireMinimiser::step(std::span<AgentMotion> agents, std::span<Vec3> moves) const {
-  for (std::size_t k = 0; k < agents.size(); ++k) {
-    AgentMotion& agent = agents[k];
-    const Vec3& force = agent.now.force;
-    const double kept = keep_ * keptUphill(agent, force.dot(agent.velocity));
-    const double pushed = (steer_ + timeStep_) / agent.now.stiffness;
-    agent.velocity = kept * agent.velocity + pushed * force.cwiseProduct(mobilityShare_);
-    const double fastest = stepLimit_ * agent.radius / timeStep_;
-    const double squared = agent.velocity.squaredNorm();
-    if (squared > fastest * fastest) agent.velocity *= fastest / std::sqrt(squared);
-    moves[k] = timeStep_ * agent.velocity;
+void FireMinimiser::step(MotionPiece& agents, std::size_t count, Moves& moves) const {
+  for (std::size_t k = 0; k < count; k += MotionPiece::lanes) {
+    const Vectors force = forces(agents, k), before = velocities(agents, k);
+    const Values kept = Values(keep_) * keptUphill(force, force.dot(before));
+    const Values pushed = Values(steer_ + timeStep_) / Values::from(&agents.stiffness[k]);
+    const Vectors velocity(kept * before.x + pushed * mobilityShare_.x() * force.x,
+                           kept * before.y + pushed * mobilityShare_.y() * force.y,
+                           kept * before.z + pushed * mobilityShare_.z() * force.z);
+    const Values fastest = Values(stepLimit_ / timeStep_) * Values::from(&agents.radius[k]);
+    const Values squared = velocity.dot(velocity);
+    const auto tooFast = fastest * fastest < squared;
+    const Values slowed = Values(1).where(~tooFast) + (fastest / squared.sqrt()).where(tooFast);
+    const auto put = [&](const Values& component, double& ofAgent, double& move) {
+      const Values bounded = component * slowed;
+      bounded.store(&ofAgent);
+      (Values(timeStep_) * bounded).store(&move);
+    };
+    put(velocity.x, agents.vx[k], moves.x[k]);
+    put(velocity.y, agents.vy[k], moves.y[k]);
+    put(velocity.z, agents.vz[k], moves.z[k]);
   }
 }
 

@@ -17,9 +17,9 @@ class FireMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "fire";
   explicit FireMinimiser(const MechanicsParameters& parameters);
-  void total(std::span<const AgentMotion> agents, StepTotals& totals) const override;
+  void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const override;
   void begin(const StepTotals& totals) override;
-  void step(std::span<AgentMotion> agents, std::span<Vec3> moves) const override;
+  void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
 
  private:
   Vec3 mobilityShare_;  ///< mobility times stiffness, by axis

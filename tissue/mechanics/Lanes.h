@@ -44,6 +44,9 @@ class Numbers {
     return numbers;
   }
 
+  /// Stores them from `to` on.
+  void store(Real* to) const { std::memcpy(to, &v_, sizeof v_); }
+
   Real operator[](int k) const { return v_[k]; }
   void set(int k, Real value) { v_[k] = value; }
   const Vector& vector() const { return v_; }
@@ -64,6 +67,17 @@ class Numbers {
     Numbers root;
     for (int k = 0; k < n; ++k) root.v_[k] = std::sqrt(v_[k]);
     return root;
+  }
+  /// Added in their order.
+  Real sum() const {
+    Real total = v_[0];
+    for (int k = 1; k < n; ++k) total += v_[k];
+    return total;
+  }
+  Real largest() const {
+    Real most = v_[0];
+    for (int k = 1; k < n; ++k) most = v_[k] > most ? v_[k] : most;
+    return most;
   }
   /// These where `mask` is set, 0 elsewhere.
   Numbers where(const Mask& mask) const { return Numbers(Vector(mask ? v_ : Vector{})); }

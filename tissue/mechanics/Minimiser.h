@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "AgentMotion.h"
 #include "AgentStore.h"
 #include "MechanicsParameters.h"
+#include "MotionPiece.h"
 
 namespace restenosis {
 
@@ -32,12 +31,11 @@ struct StepTotals {
 class Minimiser {
  public:
   virtual ~Minimiser() = default;
-  /// Adds these agents, changing none. For several threads.
-  virtual void total(std::span<const AgentMotion> agents, StepTotals& totals) const = 0;
+  /// Adds the `count` agents of a piece, changing none. For several threads.
+  virtual void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const = 0;
   virtual void begin(const StepTotals& totals) = 0;
-  /// Sets moves[k] of agents[k]: how far to move [m], at most stepLimit x radius. For several threads, each
-  /// agent once a step.
-  virtual void step(std::span<AgentMotion> agents, std::span<Vec3> moves) const = 0;
+  /// Sets their moves, of at most stepLimit x radius each. For several threads, each agent once a step.
+  virtual void step(MotionPiece& agents, std::size_t count, Moves& moves) const = 0;
 };
 
 /// The minimiser called `parameters.minimiser`. Throws std::invalid_argument naming the known ones.

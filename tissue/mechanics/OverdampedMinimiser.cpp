@@ -13,21 +13,21 @@ constexpr double stableShare = 0.9;
 OverdampedMinimiser::OverdampedMinimiser(const MechanicsParameters& parameters)
     : axialFactor_(parameters.axialForceFactor), stepLimit_(parameters.stepLimit) {}
 
-void OverdampedMinimiser::total(std::span<const AgentMotion> agents, StepTotals& totals) const {
-  for (const AgentMotion& agent : agents) totals.stiffest = std::max(totals.stiffest, agent.now.stiffness);
+void OverdampedMinimiser::total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const {
+  for (std::size_t k = 0; k < count; ++k) totals.stiffest = std::max(totals.stiffest, agents.stiffness[k]);
 }
 
 void OverdampedMinimiser::begin(const StepTotals& totals) {
   mobility_ = stableShare / (totals.stiffest * std::max(1.0, axialFactor_));
 }
 
-void OverdampedMinimiser::step(std::span<AgentMotion> agents, std::span<Vec3> moves) const {
-  for (std::size_t k = 0; k < agents.size(); ++k) {
-    Vec3 move = mobility_ * agents[k].now.force;
+void OverdampedMinimiser::step(MotionPiece& agents, std::size_t count, Moves& moves) const {
+  for (std::size_t k = 0; k < count; ++k) {
+    Vec3 move = mobility_ * agents.force(k);
     move.z() *= axialFactor_;
-    const double length = move.norm(), limit = stepLimit_ * agents[k].radius;
+    const double length = move.norm(), limit = stepLimit_ * agents.radius[k];
     if (length > limit) move *= limit / length;
-    moves[k] = move;
+    moves.x[k] = move.x(), moves.y[k] = move.y(), moves.z[k] = move.z();
   }
 }
 

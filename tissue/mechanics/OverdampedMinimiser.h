@@ -12,9 +12,9 @@ class OverdampedMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "overdamped";
   explicit OverdampedMinimiser(const MechanicsParameters& parameters);
-  void total(std::span<const AgentMotion> agents, StepTotals& totals) const override;
+  void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const override;
   void begin(const StepTotals& totals) override;
-  void step(std::span<AgentMotion> agents, std::span<Vec3> moves) const override;
+  void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
 
  private:
   double axialFactor_;

@@ -1,7 +1,6 @@
 #include "RelaxingAgents.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -43,9 +42,8 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
   keepAwake_ = false;
   for (const Index i : awake_.agents) isAwake_[i] = 0;
-  if (awake_.size() < awake_.motion.capacity() / 4) awake_ = {};  // gives memory back after all were awake
-  awake_.agents.clear();
-  awake_.motion.clear();
+  if (awake_.size() < awake_.capacity() / 4) awake_ = {};  // gives memory back after all were awake
+  awake_.resize(0);
   awake_.areRowsOf = false;
   isAwake_.resize(forces_.size(), 0);
   marked_.resize(forces_.size(), 0);
@@ -56,13 +54,11 @@ void RelaxingAgents::advance() {
   minimiser_->begin(sight().totals);
   const std::vector<Index> cramped =
       gatherPieces(awake_.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
-        std::array<Vec3, chunkSize> moves;
-        const auto motion = std::span(awake_.motion).subspan(begin, end - begin);
-        minimiser_->step(motion, moves);
-        for (std::size_t k = 0; k < motion.size(); ++k) {
-          if (forces_.moveTo(awake_.agents[begin + k], motion[k], motion[k].position + moves[k]))
-            found.push_back(static_cast<Index>(begin + k));
-        }
+        Moves moves;
+        MotionPiece& piece = awake_.pieceOf(begin);
+        minimiser_->step(piece, end - begin, moves);
+        forces_.move(awake_.agentsFrom(begin), piece, moves, found);
+        for (Index& k : found) k += static_cast<Index>(begin);
       });
   forces_.updateLists(awake_, cramped);
   std::vector<Sight> parts((awake_.size() + chunkSize - 1) / chunkSize);
@@ -82,14 +78,18 @@ void RelaxingAgents::Sight::join(const Sight& other) {
 }
 
 void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
-  const auto motion = std::span<const AgentMotion>(awake_.motion).subspan(begin, end - begin);
-  minimiser_->total(motion, part.totals);
-  double squared = 0;
-  for (const AgentMotion& agent : motion) {
-    squared = std::max(squared, agent.now.force.squaredNorm());
-    part.restlessness = std::max(part.restlessness, agent.now.restlessness);
+  const MotionPiece& piece = awake_.pieceOf(begin);
+  minimiser_->total(piece, end - begin, part.totals);
+  using Values = MotionPiece::Values;
+  Values squared = 0, restlessness = 0;
+  for (std::size_t k = 0; k < end - begin; k += MotionPiece::lanes) {
+    const Values x = Values::from(&piece.fx[k]), y = Values::from(&piece.fy[k]),
+                 z = Values::from(&piece.fz[k]);
+    squared = squared.max(x * x + y * y + z * z);
+    restlessness = restlessness.max(Values::from(&piece.restlessness[k]));
   }
-  part.residual = std::sqrt(squared);
+  part.residual = std::sqrt(squared.largest());
+  part.restlessness = restlessness.largest();
 }
 
 const RelaxingAgents::Sight& RelaxingAgents::sight() {
@@ -117,7 +117,7 @@ bool RelaxingAgents::wakeAnyone() {
   RestlessPieces restless = piecesOf(unsure.size());
   forces_.evaluateExactly(unsure, awake_.agents, [&](std::size_t k, Index i, const AgentForce& now) {
     if (isAwake_[i]) {
-      motionOf(i).now = now;
+      awake_.setNow(placeOf(i), now);
     } else if (now.restlessness > tolerance_) {
       restless[k / chunkSize].push_back({i, now});
     }
@@ -135,13 +135,14 @@ std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
       if (mark.load(std::memory_order_relaxed) || !wanted(j)) return;
       if (!mark.exchange(1, std::memory_order_relaxed)) found.push_back(j);
     };
+    MotionPiece& piece = awake_.pieceOf(begin);
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = awake_.agents[k];
-      AgentMotion& agent = awake_.motion[k];
-      if (agent.way < wayUntilLook_) continue;
-      agent.way = 0;
+      const std::size_t m = awake_.inPiece(k);
+      if (piece.way[m] < wayUntilLook_) continue;
+      piece.way[m] = 0;
       // Listed ones out of range are left out, so that who is looked at does not depend on the list.
-      const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(agent, j); };
+      const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(piece, m, j); };
       for (const Index j : forces_.neighbours().of(i)) take(j, inRange);
       for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
     }
@@ -176,7 +177,7 @@ bool RelaxingAgents::wakeRestless(RestlessPieces restless) {
   }
   wake(sleepers);
   for (const auto& piece : restless)
-    for (const Restless& agent : piece) motionOf(agent.agent).now = agent.now;
+    for (const Restless& agent : piece) awake_.setNow(placeOf(agent.agent), agent.now);
   return true;
 }
 
@@ -189,7 +190,8 @@ void RelaxingAgents::wakeAllAsleep() {
   const std::vector<Index> sleepers = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
   wake(sleepers);
   // They set out with the forces of now, not of when they were last looked at
-  forces_.evaluate(sleepers, [this](std::size_t, Index i, const AgentForce& now) { motionOf(i).now = now; });
+  forces_.evaluate(sleepers,
+                   [this](std::size_t, Index i, const AgentForce& now) { awake_.setNow(placeOf(i), now); });
 }
 
 bool RelaxingAgents::settled(double residual, double restlessness, double share) const {
@@ -202,23 +204,23 @@ bool RelaxingAgents::allSettled(double share) {
 
 void RelaxingAgents::retireSettled(double share) {
   if (!mayAnyoneSleep()) return;
-  const auto restless = static_cast<std::size_t>(
-      std::ranges::count_if(awake_.motion, [&](const AgentMotion& m) { return !settled(m.now, share); }));
+  std::size_t restless = 0;
+  for (std::size_t k = 0; k < awake_.size(); ++k) restless += !settled(awake_.now(k), share);
   if (!areFew(restless)) return;
   std::size_t left = 0;
   for (std::size_t k = 0; k < awake_.size(); ++k) {
     const Index i = awake_.agents[k];
-    if (settled(awake_.motion[k].now, share)) {
+    if (settled(awake_.now(k), share)) {
       isAwake_[i] = 0;
-      forces_.place(i, awake_.motion[k]);
+      forces_.place(i, awake_.position(k));
     } else {
-      awake_.agents[left] = i;
-      awake_.motion[left++] = awake_.motion[k];
+      if (left != k) awake_.copy(left, k);
+      ++left;
     }
   }
   if (left == awake_.size()) return;
-  awake_.agents.resize(left);
-  awake_.motion.resize(left);
+  awake_.resize(left);
+  awake_.fillLanes();
   awake_.areRowsOf = false;
   sight_.reset();
 }
@@ -231,24 +233,23 @@ void RelaxingAgents::wake(std::span<const Index> sleepers) {
   sight_.reset();
   // Both are sorted: from the back on, nobody is overwritten who is yet to be moved
   std::size_t former = awake_.size(), next = sleepers.size(), place = former + next;
-  awake_.agents.resize(place);
-  awake_.motion.resize(place);
+  awake_.resize(place);
   while (next > 0) {
     --place;
     if (former > 0 && awake_.agents[former - 1] > sleepers[next - 1]) {
       --former;
-      awake_.agents[place] = awake_.agents[former];
-      awake_.motion[place] = awake_.motion[former];
+      awake_.copy(place, former);
     } else {
       awake_.agents[place] = sleepers[--next];
     }
   }
   forEachInChunks(sleepers.size(),
-                  [&](std::size_t k) { motionOf(sleepers[k]) = forces_.motionOf(sleepers[k]); });
+                  [&](std::size_t k) { awake_.set(placeOf(sleepers[k]), forces_.motionOf(sleepers[k])); });
+  awake_.fillLanes();
 }
 
-AgentMotion& RelaxingAgents::motionOf(Index awake) {
-  return awake_.motion[std::ranges::lower_bound(awake_.agents, awake) - awake_.agents.begin()];
+std::size_t RelaxingAgents::placeOf(Index awake) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(awake_.agents, awake) - awake_.agents.begin());
 }
 
 double RelaxingAgents::residual() const {
@@ -258,9 +259,10 @@ double RelaxingAgents::residual() const {
 }
 
 std::pair<Index, AgentForce> RelaxingAgents::mostRestless() const {
-  const auto worst = std::ranges::max_element(
-      awake_.motion, {}, [](const AgentMotion& agent) { return agent.now.restlessness; });
-  return {awake_.agents[worst - awake_.motion.begin()], worst->now};
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < awake_.size(); ++k)
+    if (awake_.now(k).restlessness > awake_.now(worst).restlessness) worst = k;
+  return {awake_.agents[worst], awake_.now(worst)};
 }
 
 }  // namespace restenosis

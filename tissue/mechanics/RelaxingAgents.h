@@ -86,7 +86,8 @@ class RelaxingAgents {
   void wakeAllAsleep();
   /// In ascending order; no force on them is known.
   void wake(std::span<const Index> sleepers);
-  AgentMotion& motionOf(Index awake);
+  /// Where an agent that is awake stands among those.
+  std::size_t placeOf(Index awake) const;
   /// What the forces on awake agents amount to.
   struct Sight {
     StepTotals totals;

@@ -7,11 +7,10 @@ namespace restenosis {
 FixedScale::FixedScale(double radius)
     : unit_(std::exp2(std::floor(std::log2(radius)) - 22)), perUnit_(1 / unit_) {}
 
-std::uint32_t FixedScale::whole(double coordinate) const {
-  double units = std::nearbyint(coordinate * perUnit_);
+std::uint32_t FixedScale::wholeOfFar(double units) {
   constexpr double period = 4294967296.0;
-  if (!(std::abs(units) < 0x1p62)) units = std::isfinite(units) ? std::fmod(units, period) : 0;
-  return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
+  const double within = std::isfinite(units) ? std::fmod(units, period) : 0;
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(within));
 }
 
 std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody) {

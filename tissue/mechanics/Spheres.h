@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,7 +38,12 @@ class FixedScale {
   }
 
  private:
-  std::uint32_t whole(double coordinate) const;
+  std::uint32_t whole(double coordinate) const {
+    const double units = std::nearbyint(coordinate * perUnit_);
+    if (!(std::abs(units) < 0x1p62)) return wholeOfFar(units);
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
+  }
+  static std::uint32_t wholeOfFar(double units);
 
   double unit_;
   double perUnit_;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "AgentMotion.h"
+#include "Chunks.h"
+#include "Lanes.h"
+
+namespace restenosis {
+
+/// Up to `most` agents that move, with all of their own that a step reads and writes: those that are awake
+/// among sleepers are few, and far apart in the store. Loops over them compute several at once and go on to
+/// the end of the last lanes, where agents are that fillLanes() made.
+struct alignas(64) MotionPiece {
+  static constexpr std::size_t most = chunkSize;
+  static constexpr std::size_t lanes = 4;
+  using Values = Numbers<double, static_cast<int>(lanes)>;
+  using Doubles = std::array<double, most>;
+
+  Doubles x, y, z;                ///< [m]
+  Doubles vx, vy, vz;             ///< velocity, the minimiser's own
+  Doubles fx, fy, fz;             ///< AgentForce::force, where they are [N]
+  Doubles stiffness;              ///< AgentForce::stiffness [N/m]
+  Doubles restlessness;           ///< AgentForce::restlessness [N]
+  Doubles radius;                 ///< [m]
+  std::array<float, most> leash;  ///< AgentMotion::leash [m]
+  std::array<float, most> way;    ///< come since those beside them were looked at [m]
+  std::array<AgentKind, most> kind;
+  std::array<std::uint8_t, most> daughter;
+
+  Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
+  Vec3 force(std::size_t k) const { return {fx[k], fy[k], fz[k]}; }
+  void setForce(std::size_t k, const Vec3& force) { fx[k] = force.x(), fy[k] = force.y(), fz[k] = force.z(); }
+  AgentForce now(std::size_t k) const {
+    return {.force = force(k), .stiffness = stiffness[k], .restlessness = restlessness[k]};
+  }
+  void setNow(std::size_t k, const AgentForce& now);
+  /// Makes the k-th this agent, at rest; no force on it is known.
+  void set(std::size_t k, const AgentMotion& agent);
+  /// Makes the k-th what the m-th of a piece is.
+  void copy(std::size_t k, const MotionPiece& from, std::size_t m);
+  /// Of `count` agents: puts agents at rest, on which nothing acts, into what is left of the last lanes.
+  void fillLanes(std::size_t count);
+};
+
+/// How far the agents of a piece are to move [m].
+struct Moves {
+  MotionPiece::Doubles x, y, z;
+};
+
+}  // namespace restenosis
