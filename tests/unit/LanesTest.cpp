@@ -16,6 +16,18 @@ TEST(Lanes, AreReadFromNumbersSideBySide) {
   for (int k = 0; k < 4; ++k) EXPECT_EQ(four[k], stored[k + 2]);
 }
 
+TEST(Lanes, AreStoredAddedAndCompared) {
+  const std::array<double, 4> stored{3, -1, 7, 2};
+  const auto four = Numbers<double, 4>::from(stored.data());
+  std::array<double, 6> copy{};
+  four.store(copy.data() + 1);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(copy[k + 1], stored[k]);
+  EXPECT_EQ(copy[0], 0);
+  EXPECT_EQ(copy[5], 0);
+  EXPECT_EQ(four.sum(), 11);
+  EXPECT_EQ(four.largest(), 7);
+}
+
 TEST(Lanes, JoinVectorsOfEightInTheirOrder) {
   using Eight = Numbers<float, 8>::Vector;
   const Eight first{0, 1, 2, 3, 4, 5, 6, 7}, second{8, 9, 10, 11, 12, 13, 14, 15};

@@ -1,30 +1,57 @@
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "Minimiser.h"
 
 namespace restenosis {
 namespace {
 
+/// An agent as a minimiser sees it.
+struct Mover {
+  Vec3 velocity = Vec3::Zero();
+  Vec3 force = Vec3::Zero();
+  double stiffness = 1;
+  double radius = 1;
+};
+
+/// A piece of these agents.
+std::unique_ptr<MotionPiece> moversPiece(std::span<const Mover> movers) {
+  auto piece = std::make_unique<MotionPiece>();
+  for (std::size_t k = 0; k < movers.size(); ++k) {
+    const Mover& m = movers[k];
+    piece->set(k, {.radius = m.radius});
+    piece->setNow(k, {.force = m.force, .stiffness = m.stiffness, .restlessness = m.force.norm()});
+    piece->vx[k] = m.velocity.x(), piece->vy[k] = m.velocity.y(), piece->vz[k] = m.velocity.z();
+  }
+  piece->fillLanes(movers.size());
+  return piece;
+}
+
+Vec3 moveOf(const Moves& moves, std::size_t k) { return {moves.x[k], moves.y[k], moves.z[k]}; }
+
 /// One agent on a spring of unequal stiffness across and along the axis.
 struct Spring {
-  std::vector<AgentMotion> motion{{.now = {.stiffness = 2.0}, .radius = 1.0}};
+  std::unique_ptr<MotionPiece> piece = moversPiece(std::vector<Mover>{{.stiffness = 2.0}});
   Vec3 position{0.3, -0.1, 0.2};
 
   Vec3 step(Minimiser& minimiser) {
     StepTotals totals;
-    minimiser.total(motion, totals);
+    minimiser.total(*piece, 1, totals);
     minimiser.begin(totals);
-    std::vector<Vec3> move(1);
-    minimiser.step(motion, move);
-    return move[0];
+    Moves moves;
+    minimiser.step(*piece, 1, moves);
+    return moveOf(moves, 0);
   }
 
   double relax(Minimiser& minimiser, int steps) {
     double longest = 0;
     for (int k = 0; k < steps; ++k) {
-      motion[0].now.force = -Vec3(2.0, 2.0, 0.5).cwiseProduct(position);
+      piece->setForce(0, -Vec3(2.0, 2.0, 0.5).cwiseProduct(position));
       const Vec3 move = step(minimiser);
       position += move;
       longest = std::max(longest, move.norm());
@@ -52,7 +79,7 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;
-    spring.motion[0].now.force = {0.01, 0, 0.01};
+    spring.piece->setForce(0, {0.01, 0, 0.01});
     const Vec3 move = spring.step(*makeMinimiser(minimisedBy(name)));
     EXPECT_NEAR(move.z() / move.x(), 2, 1e-12) << name;
   }
@@ -60,66 +87,75 @@ TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
 
 TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
   Spring spring;
-  spring.motion[0].velocity = {0.1, 0, 0};
+  spring.piece->vx[0] = 0.1;
   EXPECT_EQ(spring.step(*makeMinimiser(minimisedBy("fire"))), Vec3::Zero());
 }
 
 TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
-  // One agent on a spring among a thousand that a constant force drives. Nothing may excite it: it comes to
+  // One agent on a spring among two hundred that a constant force drives. Nothing may excite it: it comes to
   // rest as it would alone.
   MechanicsParameters p = minimisedBy("fire");
   p.axialForceFactor = 1;
   for (const double eigenvalue : {0.5, 1.0, 1.5}) {
-    std::vector<AgentMotion> motion(
-        1000, {.velocity = {1e-4, 0, 0}, .now = {.force = {1e-6, 0, 0}, .stiffness = 1}, .radius = 1e3});
-    motion[0].velocity.setZero();
+    std::vector<Mover> movers(200, {.velocity = {1e-4, 0, 0}, .force = {1e-6, 0, 0}, .radius = 1e3});
+    movers[0].velocity.setZero();
+    const auto piece = moversPiece(movers);
     const auto fire = makeMinimiser(p);
     double displacement = 1e-9, farthest = 0;
-    std::vector<Vec3> moves(motion.size());
+    Moves moves;
     for (int k = 0; k < 200; ++k) {
-      motion[0].now.force.x() = -eigenvalue * motion[0].now.stiffness * displacement;
+      piece->fx[0] = -eigenvalue * piece->stiffness[0] * displacement;
       StepTotals totals;
-      fire->total(motion, totals);
+      fire->total(*piece, movers.size(), totals);
       fire->begin(totals);
-      fire->step(motion, moves);
-      displacement += moves[0].x();
+      fire->step(*piece, movers.size(), moves);
+      displacement += moves.x[0];
       farthest = std::max(farthest, std::abs(displacement));
     }
     EXPECT_LT(farthest, 1e-8) << eigenvalue;
     EXPECT_LT(std::abs(displacement), 1e-12) << eigenvalue;
-    EXPECT_GT(motion[1].velocity.x(), 1e-5) << "the others were to drift";
+    EXPECT_GT(piece->vx[1], 1e-5) << "the others were to drift";
   }
 }
 
 TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
-  std::vector<AgentMotion> start(3, {.now = {.stiffness = 3.0}, .radius = 1.0});
-  start[0].now.force = {0.02, 0, 0}, start[0].velocity = {0.01, 0, 0};
-  start[1].now.force = {0, 0.01, 0.01}, start[1].velocity = {0, 0.02, -0.01};
-  start[2].now.force = {-0.01, 0, 0}, start[2].velocity = {0.004, 0, 0};
-  start[2].now.stiffness = 7;
+  // More than the lanes of a step, and not a multiple of them.
+  std::vector<Mover> start;
+  for (int k = 0; k < 7; ++k) {
+    const double turn = 0.3 * k;
+    start.push_back({.velocity = {0.01, 0.02 * turn, -0.01},
+                     .force = {0.02 - 0.01 * turn, 0.01 * turn, 0.01},
+                     .stiffness = 3 + turn});
+  }
+  start[2].velocity = {0.004, 0, 0}, start[2].force = {-0.01, 0, 0};
   for (const auto name : minimiserNames()) {
-    const auto moved = [&](std::size_t piece) {
-      std::vector<AgentMotion> motion = start;
-      const auto pieceAt = [&](std::size_t begin) {
-        return std::span(motion).subspan(begin, std::min(piece, motion.size() - begin));
-      };
+    const auto moved = [&](std::size_t size) {
+      std::vector<std::unique_ptr<MotionPiece>> pieces;
+      for (std::size_t begin = 0; begin < start.size(); begin += size)
+        pieces.push_back(moversPiece(std::span(start).subspan(begin, std::min(size, start.size() - begin))));
+      const auto countOf = [&](std::size_t piece) { return std::min(size, start.size() - piece * size); };
       const auto minimiser = makeMinimiser(minimisedBy(name));
       StepTotals totals;
-      for (std::size_t begin = 0; begin < motion.size(); begin += piece) {
+      for (std::size_t n = 0; n < pieces.size(); ++n) {
         StepTotals part;
-        minimiser->total(pieceAt(begin), part);
+        minimiser->total(*pieces[n], countOf(n), part);
         totals.join(part);
       }
       minimiser->begin(totals);
-      std::vector<Vec3> moves(motion.size());
-      for (std::size_t begin = 0; begin < motion.size(); begin += piece)
-        minimiser->step(pieceAt(begin), std::span(moves).subspan(begin));
-      return moves;
+      std::vector<Vec3> all;
+      for (std::size_t n = 0; n < pieces.size(); ++n) {
+        Moves moves;
+        minimiser->step(*pieces[n], countOf(n), moves);
+        for (std::size_t k = 0; k < countOf(n); ++k) all.push_back(moveOf(moves, k));
+      }
+      return all;
     };
-    const std::vector<Vec3> all = moved(3);
-    for (const std::size_t piece : {1, 2}) {
+    const std::vector<Vec3> all = moved(start.size());
+    ASSERT_EQ(all.size(), start.size());
+    for (const std::size_t size : {1, 2, 5}) {
+      const std::vector<Vec3> inPieces = moved(size);
       for (std::size_t k = 0; k < all.size(); ++k)
-        EXPECT_LT((moved(piece)[k] - all[k]).norm(), 1e-15) << name << ", agent " << k;
+        EXPECT_LT((inPieces[k] - all[k]).norm(), 1e-15) << name << ", agent " << k;
     }
     for (const Vec3& move : all) EXPECT_GT(move.norm(), 0) << name;
   }

@@ -6,7 +6,7 @@
 namespace restenosis {
 namespace {
 
-StrutSegment box(bool round = false) {
+StrutSegment boxStrut(bool round = false) {
   return {.a = {1e-3, 0, 0},
           .b = {1e-3, 0, 200e-6},
           .radial = Vec3::UnitX(),
@@ -16,7 +16,7 @@ StrutSegment box(bool round = false) {
 }
 
 TEST(Stent, DistanceToABoxIsExact) {
-  const StrutSegment segment = box();
+  const StrutSegment segment = boxStrut();
   const Vec3 middle(1e-3, 0, 100e-6);
   EXPECT_NEAR(StrutDistance(segment)(middle), -30e-6, 1e-18);
   EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
@@ -27,20 +27,20 @@ TEST(Stent, DistanceToABoxIsExact) {
 }
 
 TEST(Stent, DistanceToARoundStrut) {
-  StrutSegment segment = box(true);
+  StrutSegment segment = boxStrut(true);
   segment.width = segment.thickness;
   const Vec3 middle(1e-3, 0, 100e-6);
   EXPECT_NEAR(StrutDistance(segment)(middle), -30e-6, 1e-18);
   EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(30e-6, 40e-6, 0)), 20e-6, 1e-18);
   EXPECT_NEAR(StrutDistance(segment)(middle + Vec3(33e-6, 0, 104e-6)), 5e-6, 1e-18);
-  const StrutSegment elliptic = box(true);
+  const StrutSegment elliptic = boxStrut(true);
   EXPECT_NEAR(StrutDistance(elliptic)(middle + Vec3(30e-6, 0, 0)), 0, 1e-18);
   EXPECT_NEAR(StrutDistance(elliptic)(middle + Vec3(0, 40e-6, 0)), 0, 1e-18);
   EXPECT_LT(StrutDistance(elliptic)(middle), 0);
 }
 
 TEST(Stent, ARoundPointIsASphere) {
-  StrutSegment segment = box(true);
+  StrutSegment segment = boxStrut(true);
   segment.b = segment.a;
   segment.width = segment.thickness = 20e-6;
   EXPECT_NEAR(StrutDistance(segment)(segment.a + Vec3(0, 9e-6, 12e-6)), 5e-6, 1e-18);

@@ -23,7 +23,7 @@ struct MechanicsParameters {
   double axialForceFactor = 2.0;    ///< T6's factor on axial forces: a mobility
   std::string minimiser = "fire";
   std::string precision = "automatic";    ///< of the forces on the way to equilibrium
-  double firmStiffness = 0;               ///< of contacts that hold a daughter firmly, over C r0
+  double firmStiffness = 20;              ///< of contacts that hold a daughter firmly, over C r0
   double tolerance = 0.04;                ///< largest residual over F_char = C r0^2
   bool sleeping = true;                   ///< only agents that a disturbance reaches are moved
   double stepLimit = 0.05;                ///< largest move of an agent in one step, over its radius
