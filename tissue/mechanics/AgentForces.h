@@ -49,7 +49,6 @@ class AgentForces {
   const AgentStore& agents() const { return agents_; }
   const NeighbourList& neighbours() const { return neighbours_; }
   const BondTable& bonds() const { return bonds_; }
-  double softest() const { return settings_.softest; }  ///< least stiffness an agent is given [N/m]
   /// The force on an agent, as evaluateExactly() last computed it [N].
   double residual(Index i) const { return residual_[i]; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent

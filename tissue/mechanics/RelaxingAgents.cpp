@@ -25,18 +25,16 @@ constexpr double wakingShare = 1.1;
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
 
-// Sleepers beside an awake agent are looked at again once it has come so far that the force of the softest
-// contact has changed by this share of the tolerance: a fiftieth of a radius by default. Looking at them
-// however little it moved took a seventh more time and led to the same thickness (docs/developer/tried.md).
-constexpr double changeUntilLook = 0.6;
+// Sleepers beside an awake agent are looked at again once it has come so far that all its pair forces
+// together may have changed by this many tolerances, of which one pair has a small share. Looking at them
+// however little it moved takes a fifth more time of growth and leads to the same thickness; a way that is
+// the same for all misses the stiff agents of the wall (docs/developer/tried.md).
+constexpr double changeUntilLook = 3;
 
 }  // namespace
 
 RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping)
-    : forces_(forces),
-      tolerance_(tolerance),
-      wayUntilLook_(changeUntilLook * tolerance / forces.softest()),
-      sleeping_(sleeping) {}
+    : forces_(forces), tolerance_(tolerance), sleeping_(sleeping) {}
 
 void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
@@ -139,7 +137,7 @@ std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = awake_.agents[k];
       const std::size_t m = awake_.inPiece(k);
-      if (piece.way[m] < wayUntilLook_) continue;
+      if (piece.way[m] * piece.stiffness[m] < changeUntilLook * tolerance_) continue;
       piece.way[m] = 0;
       // Listed ones out of range are left out, so that who is looked at does not depend on the list.
       const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(piece, m, j); };

@@ -99,8 +99,7 @@ class RelaxingAgents {
   /// Of all awake agents; found when their forces are computed, or now.
   const Sight& sight();
   AgentForces& forces_;
-  double tolerance_;     ///< [N]
-  double wayUntilLook_;  ///< of an agent before sleepers beside it are looked at again [m]
+  double tolerance_;  ///< [N]
   bool sleeping_;
   bool keepAwake_ = false;
 
