@@ -43,6 +43,7 @@ def narrowing(axis, series):
         right.plot(series["day"], series["minLumenArea_mm2"], ":", color=style.BLACK)
         axis.plot([], [], ":", color=style.BLACK, label="smallest lumen (right)")
         right.set_ylabel("smallest lumen area [mm²]")
+        right.set_ylim(0, 1.05 * np.nanmax(series["minLumenArea_mm2"]))
 
 
 def cells(axis, series):
