@@ -1,5 +1,6 @@
 #include "Run.h"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "Constants.h"
 #include "LaminaStretch.h"
 #include "RandomStream.h"

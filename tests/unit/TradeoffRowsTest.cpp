@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "TemporaryFolder.h"
 #include "TradeoffRows.h"
 
