@@ -40,7 +40,7 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
 
   struct Row {
     Kind kind;
-    std::uint32_t length, start;  // in `pairs`, but for marked rows
+    std::uint32_t length, start;  // in `pairs`, but for marked rows in groups of these
   };
   thread_local std::vector<ActingPair> pairs;
   pairs.clear();
@@ -68,6 +68,14 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
     for (std::size_t n = g * width; n <= last; ++n) longest = std::max(longest, rows[order_[n]].length);
     const Kind first = rows[order_[g * width]].kind;
     const Kind kind = first == rows[order_[last]].kind ? first : Kind::mixed;
+    if (kind == Kind::mixed) {
+      for (std::size_t n = g * width; n <= last; ++n) {
+        Row& row = rows[order_[n]];
+        if (row.kind != Kind::marked) continue;
+        row.start = static_cast<std::uint32_t>(pairs.size());
+        source.append(agents[order_[n]], pairs);
+      }
+    }
     groups_[g] = {
         .start = end, .restStart = endOfRests, .length = longest, .room = longest + spareLines, .kind = kind};
     end += groups_[g].room;
@@ -78,41 +86,35 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
   for (std::size_t n = 0; n < groups() * width; ++n) {
     const Group& group = groups_[n / width];
     const std::size_t lane = n % width;
-    if (n >= size_) {
-      group.kind == Kind::marked ? put(group, lane, std::span<const Index>())
-                                 : put(group, lane, std::span<const ActingPair>());
-      continue;
-    }
-    const Row& row = rows[order_[n]];
+    const bool free = n >= size_;
     if (group.kind == Kind::marked) {
-      put(group, lane, source.neighbours.of(agents[order_[n]]));
-    } else if (row.kind == Kind::marked) {
-      thread_local std::vector<ActingPair> markedRow;
-      markedRow.clear();
-      source.append(agents[order_[n]], markedRow);
-      put(group, lane, markedRow);
+      put(group, lane, free ? std::span<const Index>() : source.neighbours.of(agents[order_[n]]));
     } else {
+      const Row row = free ? Row{} : rows[order_[n]];
       put(group, lane, std::span<const ActingPair>(pairs).subspan(row.start, row.length));
     }
   }
 }
 
 bool PairRows::replace(const PairSource& source, std::size_t k, Index i) {
-  thread_local std::vector<ActingPair> row;
-  row.clear();
-  const bool marked = source.append(i, row);
   const auto place = static_cast<std::size_t>(std::ranges::find(order_, k) - order_.begin());
   Group& group = groups_[place / width];
-  if (row.size() > group.room) return false;
-  group.length = std::max(group.length, static_cast<std::uint32_t>(row.size()));
+  const auto putIfRoom = [&](const auto& row) {
+    if (row.size() > group.room) return false;
+    group.length = std::max(group.length, static_cast<std::uint32_t>(row.size()));
+    put(group, place % width, row);
+    return true;
+  };
   if (group.kind == Kind::marked) {
     // Who is a daughter remains one, and bonds do not change while agents move.
     assert(source.allMarked(i));
-    put(group, place % width, source.neighbours.of(i));
-  } else {
-    if (marked) group.kind = Kind::mixed;
-    put(group, place % width, row);
+    return putIfRoom(source.neighbours.of(i));
   }
+  thread_local std::vector<ActingPair> row;
+  row.clear();
+  const bool marked = source.append(i, row);
+  if (!putIfRoom(row)) return false;
+  if (marked) group.kind = Kind::mixed;
   return true;
 }
 

@@ -17,8 +17,8 @@ constexpr double fewShare = 0.5;
 constexpr std::size_t fewAgents = 500;
 
 // Sleepers beside moving agents wake above this many times the tolerance, the others when all are checked in
-// double precision. It is above what mixed precision errs by, so that an agent that is merely listed, its
-// force unchanged, never wakes: who wakes must not depend on the list.
+// double precision. It is above what mixed precision errs by, so that an agent whose force is unchanged never
+// wakes.
 constexpr double wakingShare = 1.1;
 
 // Fewer agents than one of this many are sorted; for more, the marks of all are looked through. Speed only,
