@@ -8,6 +8,10 @@
 
 namespace restenosis {
 
+void AgentStore::reserve(Index agents) {
+  forEachArray([agents](auto& values) { values.reserve(agents); });
+}
+
 Index AgentStore::append(AgentKind newKind, const Vec3& position, double newRadius) {
   const Index index = size();
   forEachArray([](auto& values) {

@@ -54,6 +54,8 @@ struct AgentStore {
     flags[i] = static_cast<std::uint8_t>(on ? flags[i] | flag : flags[i] & ~flag);
   }
 
+  /// Makes room for so many agents.
+  void reserve(Index agents);
   /// Appends an agent at rest (G0, no flags) with a fresh id and returns its index.
   Index append(AgentKind kind, const Vec3& position, double radius);
   /// Removes every agent i with remove[i] != 0, keeping the order of the rest.

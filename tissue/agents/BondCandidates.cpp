@@ -1,6 +1,7 @@
 #include "BondCandidates.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace restenosis {
@@ -11,8 +12,23 @@ std::size_t connectNearestFirst(const AgentStore& agents, BondTable& bonds,
     const auto [low, high] = std::minmax(agents.id[pair.a], agents.id[pair.b]);
     return std::tuple(pair.distance, low, high);
   };
-  std::ranges::sort(candidates, [&](const auto& p, const auto& q) { return key(p) < key(q); });
+  std::vector<std::uint32_t> wanted(agents.size());
+  for (const BondCandidate& pair : candidates) ++wanted[pair.a], ++wanted[pair.b];
+  const auto room = [&](Index i) { return BondTable::maxBonds - bonds.of(i).size(); };
+  if (candidates.size() > agents.size()) {
+    bonds.makeRoom(
+        [&](Index i) { return static_cast<std::uint32_t>(std::min<std::size_t>(wanted[i], room(i))); });
+  }
+  // Who has room for all who want it gets them in whatever order: that of memory, which is the quickest.
+  const auto getsAll = [&](Index i) { return wanted[i] <= room(i); };
   std::size_t made = 0;
+  std::erase_if(candidates, [&](const BondCandidate& pair) {
+    if (!getsAll(pair.a) || !getsAll(pair.b)) return false;
+    --wanted[pair.a], --wanted[pair.b];
+    made += bonds.connect(pair.a, pair.b, pair.distance);
+    return true;
+  });
+  std::ranges::sort(candidates, [&](const auto& p, const auto& q) { return key(p) < key(q); });
   for (const BondCandidate& pair : candidates) made += bonds.connect(pair.a, pair.b, pair.distance);
   return made;
 }

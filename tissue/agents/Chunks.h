@@ -92,20 +92,20 @@ Sum reduceInChunks(std::size_t count, F&& f) {
 }
 
 /// What the pieces of [0, count) have to tell, one after the other: f(begin, end, told) appends to `told`.
-template <class F>
-std::vector<Index> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
-  std::vector<std::vector<Index>> parts((count + chunkSize - 1) / chunkSize);
+template <class Told = Index, class F>
+std::vector<Told> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
+  std::vector<std::vector<Told>> parts((count + chunkSize - 1) / chunkSize);
   forEachPiece(
       count,
       [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> told;  // one of its own: those in `parts` share cache lines
+        std::vector<Told> told;  // one of its own: those in `parts` share cache lines
         f(begin, end, told);
         parts[begin / chunkSize] = std::move(told);
       },
       from);
   std::size_t size = 0;
   for (const auto& part : parts) size += part.size();
-  std::vector<Index> all;
+  std::vector<Told> all;
   all.reserve(size);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;

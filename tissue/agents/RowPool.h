@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -43,13 +44,19 @@ class RowPool {
   /// each with room for `spare` more if it has any. Throws std::length_error as append() does.
   template <class CountOf>
   void layOut(std::size_t rows, const CountOf& countOf, std::uint32_t spare = 0) {
+    layOut(rows, countOf, [&](std::size_t k) { return countOf(k) > 0 ? spare : 0U; });
+  }
+  /// The same with room for spareOf(k) more elements, at most mostSpare.
+  template <class CountOf, class SpareOf>
+  requires std::invocable<SpareOf, std::size_t>
+  void layOut(std::size_t rows, const CountOf& countOf, const SpareOf& spareOf) {
     rows_.clear();
     resize(rows);
     abandoned_ = 0;
     std::size_t end = 0;
     for (std::size_t k = 0; k < rows; ++k) {
       const std::size_t count = countOf(k);
-      rows_[k] = rowAt(end, count, count > 0 ? spare : 0);
+      rows_[k] = rowAt(end, count, spareOf(k));
       end += rows_[k].room();
     }
     if (end > elements_.capacity()) elements_ = {};  // what it holds need not be copied
@@ -58,11 +65,16 @@ class RowPool {
   }
   /// Moves the rows together, each with room for `spare` more elements if it has any.
   void compact(std::uint32_t spare = 0) {
-    RowPool together;
-    together.layOut(
-        size(), [this](std::size_t k) { return rows_[k].count; }, spare);
-    for (std::size_t k = 0; k < size(); ++k) std::ranges::copy(std::as_const(*this)[k], together[k].begin());
-    *this = std::move(together);
+    spread([&](std::size_t k) { return rows_[k].count > 0 ? spare : 0U; });
+  }
+  /// Moves the rows, the k-th getting room for moreOf(k) more elements, at most mostSpare.
+  template <class MoreOf>
+  void spread(const MoreOf& moreOf) {
+    RowPool moved;
+    moved.layOut(
+        size(), [this](std::size_t k) { return rows_[k].count; }, moreOf);
+    for (std::size_t k = 0; k < size(); ++k) std::ranges::copy(std::as_const(*this)[k], moved[k].begin());
+    *this = std::move(moved);
   }
   /// Whether much of the array is abandoned, so that moving the rows together pays.
   bool wasteful() const { return 4 * abandoned_ > elements_.size(); }

@@ -13,7 +13,10 @@ namespace restenosis {
 class NeighbourQuery {
  public:
   NeighbourQuery(const AgentStore& agents, const CellGrid& grid)
-      : agents_(agents), grid_(grid), largestRadius_(largestRadius(agents)) {}
+      : NeighbourQuery(agents, grid, largestRadius(agents)) {}
+  /// The same where the largest radius is known [m].
+  NeighbourQuery(const AgentStore& agents, const CellGrid& grid, double largestRadius)
+      : agents_(agents), grid_(grid), largestRadius_(largestRadius) {}
 
   /// Calls f(j, distance) for every other agent j whose centre is within factor (R_i + R_j) of that of agent
   /// i, in ascending order of j.

@@ -19,30 +19,40 @@ class PointGrid {
   void insert(Index name, const Vec3& point);
 
   /// Calls f(name, squared distance) for every point nearer than `reach`, in an order that depends only on
-  /// the order of insertion. `f` returns true to go on, false to stop; the result tells whether it went to
-  /// the end.
+  /// the order of insertion: first those in the cell of the place, who are the likeliest to be near.
+  /// `f` returns true to go on, false to stop; the result tells whether it went to the end.
   template <class F>
   bool visit(const Vec3& place, double reach, F&& f) const {
+    const auto own = cellOf(place);
     const auto low = cellOf(place - Vec3::Constant(reach)), high = cellOf(place + Vec3::Constant(reach));
+    const auto visitCell = [&](const std::array<int, 3>& cell) {
+      for (const Entry* entry = &cells_[flat(cell)]; entry->name != none; entry = &more_[entry->next]) {
+        const double squared = (entry->point - place).squaredNorm();
+        if (squared < reach * reach && !f(entry->name, squared)) return false;
+        if (entry->next == none) break;
+      }
+      return true;
+    };
+    if (!visitCell(own)) return false;
     for (int k = low[2]; k <= high[2]; ++k) {
       for (int j = low[1]; j <= high[1]; ++j) {
         for (int i = low[0]; i <= high[0]; ++i) {
-          for (Index n = first_[flat({i, j, k})]; n != none; n = entries_[n].next) {
-            const double squared = (entries_[n].point - place).squaredNorm();
-            if (squared < reach * reach && !f(entries_[n].name, squared)) return false;
-          }
+          const std::array<int, 3> cell{i, j, k};
+          if (cell != own && !visitCell(cell)) return false;
         }
       }
     }
     return true;
   }
+  /// Asks for the memory that a visit of this place needs most likely. Speed only.
+  void fetch(const Vec3& place) const;
 
  private:
   static constexpr Index none = static_cast<Index>(-1);
-  struct Entry {
+  struct alignas(32) Entry {
     Vec3 point;
-    Index name;
-    Index next;
+    Index name = none;
+    Index next = none;  ///< of the same cell, in more_
   };
 
   std::array<int, 3> cellOf(const Vec3& point) const {
@@ -60,8 +70,8 @@ class PointGrid {
   Vec3 low_;
   double cell_;
   std::array<int, 3> count_;
-  std::vector<Index> first_;
-  std::vector<Entry> entries_;
+  std::vector<Entry> cells_;  ///< the first point of each
+  std::vector<Entry> more_;
 };
 
 }  // namespace restenosis

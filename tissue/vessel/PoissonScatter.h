@@ -11,8 +11,9 @@ namespace restenosis {
 /// no place, so it always ends. Every place is a function of (seed, agent id).
 class PoissonScatter {
  public:
-  /// Agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `largest` bounds the radii.
-  PoissonScatter(std::uint64_t seed, double length, double outerRadius, double largest);
+  /// Agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `smallest` and `largest`
+  /// bound the radii.
+  PoissonScatter(std::uint64_t seed, double length, double outerRadius, double smallest, double largest);
 
   /// Appends an agent of `kind` and `radius` with its centre between the two surfaces, or on the surface that
   /// both are.
@@ -32,7 +33,7 @@ class PoissonScatter {
   Vec3 draw(RandomStream& stream, const SurfaceFromAxis& inner, const SurfaceFromAxis& outer) const;
 
   std::uint64_t seed_;
-  double length_, largest_;
+  double length_, smallest_, largest_;
   double share_ = initialShare;
   PointGrid grid_;
 };

@@ -1,9 +1,9 @@
 #include "WallBonds.h"
 
-#include <utility>
 #include <vector>
 
 #include "BondCandidates.h"
+#include "Chunks.h"
 #include "NeighbourQuery.h"
 
 namespace restenosis {
@@ -14,16 +14,21 @@ std::size_t bondWall(Wall& wall, double range) {
   wall.bonds.resize(agents.size());
   if (agents.size() == 0 || !(range > 0)) return 0;
 
-  const CellGrid grid(agents, 2 * range * NeighbourQuery::largestRadius(agents));
-  NeighbourQuery query(agents, grid);
-  std::vector<BondCandidate> pairs;
-  for (Index a = 0; a < agents.size(); ++a) {
-    if (agents.kind[a] == AgentKind::strut) continue;
-    query.forEachNeighbour(a, range, [&](Index b, double distance) {
-      if (b > a && agents.kind[b] != AgentKind::strut) pairs.push_back({distance, a, b});
-    });
-  }
-  return connectNearestFirst(agents, wall.bonds, std::move(pairs));
+  const double largest = NeighbourQuery::largestRadius(agents);
+  const CellGrid grid(agents, 2 * range * largest);
+  return connectNearestFirst(
+      agents, wall.bonds,
+      gatherPieces<BondCandidate>(agents.size(),
+                                  [&](std::size_t begin, std::size_t end, std::vector<BondCandidate>& pairs) {
+                                    NeighbourQuery query(agents, grid, largest);
+                                    for (Index a = static_cast<Index>(begin); a < end; ++a) {
+                                      if (agents.kind[a] == AgentKind::strut) continue;
+                                      query.forEachNeighbour(a, range, [&](Index b, double distance) {
+                                        if (b > a && agents.kind[b] != AgentKind::strut)
+                                          pairs.push_back({distance, a, b});
+                                      });
+                                    }
+                                  }));
 }
 
 }  // namespace restenosis

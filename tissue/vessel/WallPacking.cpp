@@ -55,8 +55,10 @@ Index countExpelled(const Wall& wall) {
 Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed) {
   const AgentCounts counts = countAgents(vessel, shape);
   Wall wall = emptyWall(vessel);
-  const double largest = vessel.cellRadius * (1 + radiusCut * vessel.radiusSpread);
-  PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), largest);
+  const double widest = radiusCut * vessel.radiusSpread * vessel.cellRadius;
+  PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), vessel.cellRadius - widest,
+                         vessel.cellRadius + widest);
+  wall.agents.reserve(counts.total());
   const auto add = [&](AgentKind kind, Index count, const SurfaceFromAxis& from, const SurfaceFromAxis& to) {
     scatter.restart();
     for (Index n = 0; n < count; ++n) {
