@@ -164,11 +164,13 @@ float AgentForces::leashOf(Index i, const Vec3& position) const {
 
 void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const Moves& moves,
                        std::vector<Index>& cramped) {
-  Moves to;
+  struct {
+    MotionPiece::Doubles x, y, z;
+  } to;
   for (std::size_t k = 0; k < agents.size(); ++k) {
-    to.x[k] = piece.x[k] + moves.x[k];
-    to.y[k] = piece.y[k] + moves.y[k];
-    to.z[k] = piece.z[k] + moves.z[k];
+    to.x[k] = piece.x[k] + static_cast<double>(moves.x[k]);
+    to.y[k] = piece.y[k] + static_cast<double>(moves.y[k]);
+    to.z[k] = piece.z[k] + static_cast<double>(moves.z[k]);
   }
   for (const Constraint* constraint : constraints_) {
     for (std::size_t k = 0; k < agents.size(); ++k) {
@@ -186,7 +188,7 @@ void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const 
   }
   const auto comfortable = static_cast<float>(neighbours_.comfortableRoom());
   for (std::size_t k = 0; k < agents.size(); ++k) {
-    spheres_.moveTo(agents[k], piece.position(k), piece.radius[k]);
+    spheres_.moveTo(agents[k], piece.position(k));
     if (piece.leash[k] > comfortable) continue;
     piece.leash[k] = leashOf(agents[k], piece.position(k));
     if (!(piece.leash[k] > comfortable)) cramped.push_back(static_cast<Index>(k));
@@ -220,11 +222,11 @@ void AgentForces::updateLists(MovingAgents& moving, std::span<const Index> cramp
 }
 
 void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads) const {
-  MotionPiece::Doubles firmness;
+  MotionPiece::Floats firmness;
   for (std::size_t k = 0; k < loads.size(); ++k) {
     piece.setForce(k, loads[k].force());
-    piece.stiffness[k] = std::max(settings_.softest, loads[k].stiffness);
-    firmness[k] = loads[k].firmness;
+    piece.stiffness[k] = static_cast<float>(std::max(settings_.softest, loads[k].stiffness));
+    firmness[k] = static_cast<float>(loads[k].firmness);
   }
   for (const Constraint* constraint : constraints_) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -233,10 +235,11 @@ void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads
       piece.setForce(k, force);
     }
   }
+  const auto softest = static_cast<float>(settings_.softest), firm = static_cast<float>(settings_.firm);
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    const double held = std::max(settings_.softest, firmness[k]);
-    const double times = piece.daughter[k] ? std::max(1.0, settings_.firm / held) : 1.0;
-    const double squared = piece.fx[k] * piece.fx[k] + piece.fy[k] * piece.fy[k] + piece.fz[k] * piece.fz[k];
+    const float held = std::max(softest, firmness[k]);
+    const float times = piece.daughter[k] ? std::max(1.0F, firm / held) : 1.0F;
+    const float squared = piece.fx[k] * piece.fx[k] + piece.fy[k] * piece.fy[k] + piece.fz[k] * piece.fz[k];
     piece.restlessness[k] = times * std::sqrt(squared);
   }
 }
@@ -278,7 +281,7 @@ void AgentForces::evaluateResting(const Spheres& spheres, std::span<const Index>
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const Index i = subset[begin + k];
       piece.x[k] = agents_.x[i], piece.y[k] = agents_.y[i], piece.z[k] = agents_.z[i];
-      piece.radius[k] = agents_.radius[i];
+      piece.radius[k] = static_cast<float>(agents_.radius[i]);
       piece.kind[k] = agents_.kind[i], piece.daughter[k] = agents_.has(i, AgentFlag::daughter);
       agents_.pressure[i] = loads[k].pressure;
     }

@@ -36,12 +36,12 @@ class AgentSpheres {
   void copy(Index i);
   /// Whether agent i is not where and as large as remember() found it.
   bool changed(Index i) const;
-  /// Agent i is here now.
-  void moveTo(Index i, const Vec3& position, double radius) {
+  /// Agent i is here now, and as large as it was.
+  void moveTo(Index i, const Vec3& position) {
     if (scale_) {
-      fixed_[i] = scale_->of(position, radius);
+      fixed_[i] = scale_->at(position, fixed_[i].r);
     } else {
-      spheres_[i] = {position.x(), position.y(), position.z(), radius};
+      spheres_[i] = {position.x(), position.y(), position.z(), spheres_[i].r};
     }
   }
   /// Copies in double precision these agents, which are where moveTo() put them.

@@ -11,13 +11,13 @@ constexpr double firstTimeStep = 0.4, largestTimeStep = 1.35;
 constexpr double grow = 1.1, shrink = 0.5;
 constexpr double firstMixing = 0.1, mixingDecay = 0.99;
 constexpr int stepsBeforeGrowth = 5;
-constexpr double uphillShare = 0.5;   // of its velocity that an agent keeps while it moves against its force
+constexpr float uphillShare = 0.5;  // of its velocity that an agent keeps while it moves against its force
 constexpr double steadyShare = 0.95;  // of the bound on steering
 
 /// Mobilities are 1 / mass, the axial one times the axial factor; the larger of the two is 1 / stiffness.
-Vec3 mobilityShares(double axialFactor) {
+Eigen::Vector3f mobilityShares(double axialFactor) {
   const double slower = 1 / std::max(1.0, axialFactor);
-  return {slower, slower, slower * axialFactor};
+  return Vec3(slower, slower, slower * axialFactor).cast<float>();
 }
 
 using Values = MotionPiece::Values;
@@ -26,12 +26,12 @@ using Values = MotionPiece::Values;
 struct Vectors {
   Values x, y, z;
   Vectors(const Values& ofX, const Values& ofY, const Values& ofZ) : x(ofX), y(ofY), z(ofZ) {}
-  Vectors(const MotionPiece::Doubles& ofX, const MotionPiece::Doubles& ofY, const MotionPiece::Doubles& ofZ,
+  Vectors(const MotionPiece::Floats& ofX, const MotionPiece::Floats& ofY, const MotionPiece::Floats& ofZ,
           std::size_t k)
       : x(Values::from(&ofX[k])), y(Values::from(&ofY[k])), z(Values::from(&ofZ[k])) {}
   Values dot(const Vectors& o) const { return x * o.x + y * o.y + z * o.z; }
   /// Of their squares, each component times its weight.
-  Values squares(const Vec3& weight) const {
+  Values squares(const Eigen::Vector3f& weight) const {
     return x * x * weight.x() + y * y * weight.y() + z * z * weight.z();
   }
 };
@@ -51,7 +51,7 @@ Values keptUphill(const Vectors& force, const Values& power) {
 FireMinimiser::FireMinimiser(const MechanicsParameters& parameters)
     : mobilityShare_(mobilityShares(parameters.axialForceFactor)),
       massShare_(mobilityShare_.cwiseInverse()),
-      stepLimit_(parameters.stepLimit),
+      stepLimit_(longestShare * parameters.stepLimit),
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
 
@@ -90,21 +90,23 @@ void FireMinimiser::begin(const StepTotals& totals) {
 }
 
 void FireMinimiser::step(MotionPiece& agents, std::size_t count, Moves& moves) const {
+  const Values keep = static_cast<float>(keep_), push = static_cast<float>(steer_ + timeStep_),
+               limit = static_cast<float>(stepLimit_ / timeStep_), timeStep = static_cast<float>(timeStep_);
   for (std::size_t k = 0; k < count; k += MotionPiece::lanes) {
     const Vectors force = forces(agents, k), before = velocities(agents, k);
-    const Values kept = Values(keep_) * keptUphill(force, force.dot(before));
-    const Values pushed = Values(steer_ + timeStep_) / Values::from(&agents.stiffness[k]);
+    const Values kept = keep * keptUphill(force, force.dot(before));
+    const Values pushed = push / Values::from(&agents.stiffness[k]);
     const Vectors velocity(kept * before.x + pushed * mobilityShare_.x() * force.x,
                            kept * before.y + pushed * mobilityShare_.y() * force.y,
                            kept * before.z + pushed * mobilityShare_.z() * force.z);
-    const Values fastest = Values(stepLimit_ / timeStep_) * Values::from(&agents.radius[k]);
+    const Values fastest = limit * Values::from(&agents.radius[k]);
     const Values squared = velocity.dot(velocity);
     const auto tooFast = fastest * fastest < squared;
     const Values slowed = Values(1).where(~tooFast) + (fastest / squared.sqrt()).where(tooFast);
-    const auto put = [&](const Values& component, double& ofAgent, double& move) {
+    const auto put = [&](const Values& component, float& ofAgent, float& move) {
       const Values bounded = component * slowed;
       bounded.store(&ofAgent);
-      (Values(timeStep_) * bounded).store(&move);
+      (timeStep * bounded).store(&move);
     };
     put(velocity.x, agents.vx[k], moves.x[k]);
     put(velocity.y, agents.vy[k], moves.y[k]);

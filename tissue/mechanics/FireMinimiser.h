@@ -22,8 +22,8 @@ class FireMinimiser : public Minimiser {
   void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
 
  private:
-  Vec3 mobilityShare_;  ///< mobility times stiffness, by axis
-  Vec3 massShare_;      ///< 1 / mobilityShare_
+  Eigen::Vector3f mobilityShare_;  ///< mobility times stiffness, by axis
+  Eigen::Vector3f massShare_;      ///< 1 / mobilityShare_
   double stepLimit_;
   double timeStep_;
   double mixing_;

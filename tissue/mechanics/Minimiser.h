@@ -36,6 +36,10 @@ class Minimiser {
   virtual void begin(const StepTotals& totals) = 0;
   /// Sets their moves, of at most stepLimit x radius each. For several threads, each agent once a step.
   virtual void step(MotionPiece& agents, std::size_t count, Moves& moves) const = 0;
+
+ protected:
+  /// Of the longest step that is allowed: shorter by more than single precision errs by.
+  static constexpr double longestShare = 1 - 1e-6;
 };
 
 /// The minimiser called `parameters.minimiser`. Throws std::invalid_argument naming the known ones.

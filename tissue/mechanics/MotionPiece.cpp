@@ -4,14 +4,14 @@ namespace restenosis {
 
 void MotionPiece::setNow(std::size_t k, const AgentForce& now) {
   setForce(k, now.force);
-  stiffness[k] = now.stiffness, restlessness[k] = now.restlessness;
+  stiffness[k] = static_cast<float>(now.stiffness), restlessness[k] = static_cast<float>(now.restlessness);
 }
 
 void MotionPiece::set(std::size_t k, const AgentMotion& agent) {
   x[k] = agent.position.x(), y[k] = agent.position.y(), z[k] = agent.position.z();
   vx[k] = vy[k] = vz[k] = 0;
   setNow(k, {.stiffness = 1});
-  radius[k] = agent.radius, leash[k] = agent.leash, way[k] = 0;
+  radius[k] = static_cast<float>(agent.radius), leash[k] = agent.leash, way[k] = 0;
   kind[k] = agent.kind, daughter[k] = agent.daughter;
 }
 

@@ -13,26 +13,34 @@ namespace restenosis {
 /// Up to `most` agents that move, with all of their own that a step reads and writes: those that are awake
 /// among sleepers are few, and far apart in the store. Loops over them compute several at once and go on to
 /// the end of the last lanes, where agents are that fillLanes() made.
+///
+/// Where agents are is in double precision, for the forces are differences of pair forces. What leads there
+/// need not be: a step whose length errs by 10^-7 of itself is as good.
 struct alignas(64) MotionPiece {
   static constexpr std::size_t most = chunkSize;
-  static constexpr std::size_t lanes = 4;
-  using Values = Numbers<double, static_cast<int>(lanes)>;
+  static constexpr std::size_t lanes = 8;
+  using Values = Numbers<float, static_cast<int>(lanes)>;
   using Doubles = std::array<double, most>;
+  using Floats = std::array<float, most>;
 
-  Doubles x, y, z;                ///< [m]
-  Doubles vx, vy, vz;             ///< velocity, the minimiser's own
-  Doubles fx, fy, fz;             ///< AgentForce::force, where they are [N]
-  Doubles stiffness;              ///< AgentForce::stiffness [N/m]
-  Doubles restlessness;           ///< AgentForce::restlessness [N]
-  Doubles radius;                 ///< [m]
-  std::array<float, most> leash;  ///< AgentMotion::leash [m]
-  std::array<float, most> way;    ///< come since those beside them were looked at [m]
+  Doubles x, y, z;      ///< [m]
+  Floats vx, vy, vz;    ///< velocity, the minimiser's own
+  Floats fx, fy, fz;    ///< AgentForce::force, where they are [N]
+  Floats stiffness;     ///< AgentForce::stiffness [N/m]
+  Floats restlessness;  ///< AgentForce::restlessness [N]
+  Floats radius;        ///< [m]
+  Floats leash;         ///< AgentMotion::leash [m]
+  Floats way;           ///< come since those beside them were looked at [m]
   std::array<AgentKind, most> kind;
   std::array<std::uint8_t, most> daughter;
 
   Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
   Vec3 force(std::size_t k) const { return {fx[k], fy[k], fz[k]}; }
-  void setForce(std::size_t k, const Vec3& force) { fx[k] = force.x(), fy[k] = force.y(), fz[k] = force.z(); }
+  void setForce(std::size_t k, const Vec3& force) {
+    fx[k] = static_cast<float>(force.x());
+    fy[k] = static_cast<float>(force.y());
+    fz[k] = static_cast<float>(force.z());
+  }
   AgentForce now(std::size_t k) const {
     return {.force = force(k), .stiffness = stiffness[k], .restlessness = restlessness[k]};
   }
@@ -47,7 +55,7 @@ struct alignas(64) MotionPiece {
 
 /// How far the agents of a piece are to move [m].
 struct Moves {
-  MotionPiece::Doubles x, y, z;
+  MotionPiece::Floats x, y, z;
 };
 
 }  // namespace restenosis

@@ -11,10 +11,11 @@ constexpr double stableShare = 0.9;
 }  // namespace
 
 OverdampedMinimiser::OverdampedMinimiser(const MechanicsParameters& parameters)
-    : axialFactor_(parameters.axialForceFactor), stepLimit_(parameters.stepLimit) {}
+    : axialFactor_(parameters.axialForceFactor), stepLimit_(longestShare * parameters.stepLimit) {}
 
 void OverdampedMinimiser::total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const {
-  for (std::size_t k = 0; k < count; ++k) totals.stiffest = std::max(totals.stiffest, agents.stiffness[k]);
+  for (std::size_t k = 0; k < count; ++k)
+    totals.stiffest = std::max<double>(totals.stiffest, agents.stiffness[k]);
 }
 
 void OverdampedMinimiser::begin(const StepTotals& totals) {
@@ -27,7 +28,9 @@ void OverdampedMinimiser::step(MotionPiece& agents, std::size_t count, Moves& mo
     move.z() *= axialFactor_;
     const double length = move.norm(), limit = stepLimit_ * agents.radius[k];
     if (length > limit) move *= limit / length;
-    moves.x[k] = move.x(), moves.y[k] = move.y(), moves.z[k] = move.z();
+    moves.x[k] = static_cast<float>(move.x());
+    moves.y[k] = static_cast<float>(move.y());
+    moves.z[k] = static_cast<float>(move.z());
   }
 }
 

@@ -34,7 +34,10 @@ class FixedScale {
   /// Half the period [m]: about 500 radii.
   double reach() const { return unit_ * 2147483648.0; }
   FixedSphere of(const Vec3& position, double radius) const {
-    return {whole(position.x()), whole(position.y()), whole(position.z()), static_cast<float>(radius)};
+    return at(position, static_cast<float>(radius));
+  }
+  FixedSphere at(const Vec3& position, float radius) const {
+    return {whole(position.x()), whole(position.y()), whole(position.z()), radius};
   }
 
  private:
