@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
+
+#include "Room.h"
 
 namespace restenosis {
 namespace {
@@ -17,74 +20,91 @@ struct Range {
 
 /// The spheres and their mirror images across the ends, as far as they reach into the grid, and for every
 /// plane of nodes which of them touch it, as a list in compressed rows.
-struct PlaneLists {
-  std::vector<Ball> spheres;
-  std::vector<std::size_t> start;
-  std::vector<std::uint32_t> member;
+class PlaneLists {
+ public:
+  PlaneLists(const LumenGrid& grid, std::vector<Ball> spheres, double clip);
+  /// Lowers the values of plane k, its nodes row by row, to the distances to the spheres, where these are
+  /// below `clip`.
+  void lower(int k, float* plane) const;
 
-  PlaneLists(const LumenGrid& g, std::span<const Ball> input, double clip) {
-    spheres.reserve(input.size() + input.size() / 4);
-    auto add = [&](Vec3 centre, double radius) {
-      if (centre.z() + radius + clip >= 0 && centre.z() - radius - clip <= g.length)
-        spheres.push_back({centre, radius});
-    };
-    for (const Ball& s : input) {
-      add(s.centre, s.radius);
-      add({s.centre.x(), s.centre.y(), -s.centre.z()}, s.radius);
-      add({s.centre.x(), s.centre.y(), 2 * g.length - s.centre.z()}, s.radius);
-    }
-    start.assign(g.nz + 1, 0);
-    auto planes = [&](const Ball& s) { return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz); };
-    for (const Ball& s : spheres) {
-      const Range r = planes(s);
-      for (int k = r.first; k <= r.last; ++k) ++start[k + 1];
-    }
-    for (int k = 0; k < g.nz; ++k) start[k + 1] += start[k];
-    member.resize(start.back());
-    auto next = start;
-    for (std::uint32_t n = 0; n < spheres.size(); ++n) {
-      const Range r = planes(spheres[n]);
-      for (int k = r.first; k <= r.last; ++k) member[next[k]++] = n;
-    }
-  }
+ private:
+  const LumenGrid& grid_;
+  double clip_;
+  std::vector<Ball> spheres_;
+  std::vector<std::size_t> start_;
+  std::vector<std::uint32_t> member_;
 };
+
+PlaneLists::PlaneLists(const LumenGrid& grid, std::vector<Ball> spheres, double clip)
+    : grid_(grid), clip_(clip), spheres_(std::move(spheres)) {
+  const LumenGrid& g = grid_;
+  const std::size_t count = spheres_.size();
+  const auto mirror = [&](const Ball& s, double z) {
+    if (z + s.radius + clip < 0 || z - s.radius - clip > g.length) return;
+    makeRoom(spheres_, spheres_.size() + 1);
+    spheres_.push_back({{s.centre.x(), s.centre.y(), z}, s.radius});
+  };
+  for (std::size_t n = 0; n < count; ++n) {
+    const Ball s = spheres_[n];
+    mirror(s, -s.centre.z());
+    mirror(s, 2 * g.length - s.centre.z());
+  }
+  start_.assign(g.nz + 1, 0);
+  const auto planes = [&](const Ball& s) {
+    return Range(s.centre.z(), s.radius + clip, 0.0, g.spacingZ, g.nz);
+  };
+  for (const Ball& s : spheres_) {
+    const Range r = planes(s);
+    for (int k = r.first; k <= r.last; ++k) ++start_[k + 1];
+  }
+  for (int k = 0; k < g.nz; ++k) start_[k + 1] += start_[k];
+  member_.resize(start_.back());
+  auto next = start_;
+  for (std::uint32_t n = 0; n < spheres_.size(); ++n) {
+    const Range r = planes(spheres_[n]);
+    for (int k = r.first; k <= r.last; ++k) member_[next[k]++] = n;
+  }
+}
 
 constexpr int vectorWidth = 8;  ///< floats that most processors work on at once
 
-}  // namespace
-
-GridField sphereDistance(const LumenGrid& g, std::span<const Ball> spheres, double clip) {
-  GridField field(g, static_cast<float>(clip));
-  const PlaneLists lists(g, spheres, clip);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < g.nz; ++k) {
-    for (std::size_t n = lists.start[k]; n < lists.start[k + 1]; ++n) {
-      const Ball& s = lists.spheres[lists.member[n]];
-      const double reach = s.radius + clip, dz = g.z(k) - s.centre.z();
-      const double inPlane = reach * reach - dz * dz;
-      if (inPlane < 0) continue;
-      // The square around the circle within reach, its sides rounded up to whole vectors: nodes outside are
-      // farther than `clip` and keep their value, and to find the circle's ends in each row would cost more.
-      const double halfWidth = std::sqrt(inPlane);
-      const Range rows(s.centre.y(), halfWidth, g.y(0), g.spacing, g.ny);
-      const Range nodes(s.centre.x(), halfWidth, g.x(0), g.spacing, g.nx);
-      const int count =
-          std::min(g.nx - nodes.first, (nodes.last - nodes.first + vectorWidth) / vectorWidth * vectorWidth);
-      const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
-      const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
-      for (int j = rows.first; j <= rows.last; ++j) {
-        const double dy = g.y(j) - s.centre.y();
-        const float fixedPart = static_cast<float>(dy * dy + dz * dz);
-        float* row = field.values.data() + g.row(j, k) + nodes.first;
+void PlaneLists::lower(int k, float* plane) const {
+  const LumenGrid& g = grid_;
+  for (std::size_t n = start_[k]; n < start_[k + 1]; ++n) {
+    const Ball& s = spheres_[member_[n]];
+    const double reach = s.radius + clip_, dz = g.z(k) - s.centre.z();
+    const double inPlane = reach * reach - dz * dz;
+    if (inPlane < 0) continue;
+    // The square around the circle within reach, its sides rounded up to whole vectors: nodes outside are
+    // farther than the clip and keep their value, and to find the circle's ends in each row would cost more.
+    const double halfWidth = std::sqrt(inPlane);
+    const Range rows(s.centre.y(), halfWidth, g.y(0), g.spacing, g.ny);
+    const Range nodes(s.centre.x(), halfWidth, g.x(0), g.spacing, g.nx);
+    const int count =
+        std::min(g.nx - nodes.first, (nodes.last - nodes.first + vectorWidth) / vectorWidth * vectorWidth);
+    const float offset = static_cast<float>(g.x(nodes.first) - s.centre.x());
+    const float spacing = static_cast<float>(g.spacing), radius = static_cast<float>(s.radius);
+    for (int j = rows.first; j <= rows.last; ++j) {
+      const double dy = g.y(j) - s.centre.y();
+      const float fixedPart = static_cast<float>(dy * dy + dz * dz);
+      float* row = plane + static_cast<std::size_t>(j) * g.nx + nodes.first;
 #pragma omp simd
-        for (int i = 0; i < count; ++i) {
-          const float dx = offset + static_cast<float>(i) * spacing;
-          const float distance = std::sqrt(dx * dx + fixedPart) - radius;
-          row[i] = distance < row[i] ? distance : row[i];
-        }
+      for (int i = 0; i < count; ++i) {
+        const float dx = offset + static_cast<float>(i) * spacing;
+        const float distance = std::sqrt(dx * dx + fixedPart) - radius;
+        row[i] = distance < row[i] ? distance : row[i];
       }
     }
   }
+}
+
+}  // namespace
+
+GridField sphereDistance(const LumenGrid& g, std::vector<Ball> spheres, double clip) {
+  const PlaneLists lists(g, std::move(spheres), clip);
+  GridField field(g, static_cast<float>(clip));
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < g.nz; ++k) lists.lower(k, field.values.data() + g.row(0, k));
   return field;
 }
 
@@ -112,9 +132,9 @@ GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts
   return field;
 }
 
-GridField closeByBall(const GridField& distance, double probe, double clip) {
-  const LumenGrid& g = distance.grid;
-  const std::vector<float>& d = distance.values;
+void closeByBall(GridField& field, double probe, double clip) {
+  const LumenGrid& g = field.grid;
+  std::vector<float>& d = field.values;
   const auto p = static_cast<float>(probe);
   std::vector<std::vector<Ball>> samples(g.nz);
 #pragma omp parallel for schedule(dynamic, 1)
@@ -137,13 +157,27 @@ GridField closeByBall(const GridField& distance, double probe, double clip) {
     samples[k] = std::move(plane);
   }
   std::vector<Ball> balls;
-  for (const auto& plane : samples) balls.insert(balls.end(), plane.begin(), plane.end());
-  GridField closed = sphereDistance(g, balls, clip);
+  std::size_t count = 0;
+  for (const auto& plane : samples) count += plane.size();
+  balls.reserve(count);
+  for (auto& plane : samples) {
+    balls.insert(balls.end(), plane.begin(), plane.end());
+    plane = {};
+  }
+  const PlaneLists lists(g, std::move(balls), clip);
   const auto limit = static_cast<float>(clip);
-#pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < d.size(); ++n)
-    closed.values[n] = std::clamp(d[n] >= p ? d[n] : -closed.values[n], -limit, limit);
-  return closed;
+#pragma omp parallel
+  {
+    std::vector<float> swept(g.planeSize());
+#pragma omp for schedule(dynamic, 1)
+    for (int k = 0; k < g.nz; ++k) {
+      std::ranges::fill(swept, limit);
+      lists.lower(k, swept.data());
+      float* plane = d.data() + g.row(0, k);
+      for (std::size_t n = 0; n < swept.size(); ++n)
+        plane[n] = std::clamp(plane[n] >= p ? plane[n] : -swept[n], -limit, limit);
+    }
+  }
 }
 
 void blur(GridField& field, double sigma) {
@@ -160,11 +194,9 @@ void blur(GridField& field, double sigma) {
   };
   const auto across = kernel(g.spacing), along = kernel(g.spacingZ);
   const int reach = static_cast<int>(across.size()) / 2, reachZ = static_cast<int>(along.size()) / 2;
-  const std::size_t planeSize = static_cast<std::size_t>(g.nx) * g.ny;
-  std::vector<float> result(field.values.size());
 #pragma omp parallel
   {
-    std::vector<float> padded(g.nx + 2 * reach), plane(planeSize);
+    std::vector<float> padded(g.nx + 2 * reach), plane(g.planeSize());
 #pragma omp for schedule(static)
     for (int k = 0; k < g.nz; ++k) {
       for (int j = 0; j < g.ny; ++j) {  // along x
@@ -176,7 +208,7 @@ void blur(GridField& field, double sigma) {
           for (int i = 0; i < g.nx; ++i) target[i] += across[m] * padded[i + m];
       }
       for (int j = 0; j < g.ny; ++j) {  // along y
-        float* target = result.data() + g.row(j, k);
+        float* target = field.values.data() + g.row(j, k);
         std::fill_n(target, g.nx, 0.0F);
         for (int m = -reach; m <= reach; ++m) {
           const float* row = plane.data() + static_cast<std::size_t>(std::clamp(j + m, 0, g.ny - 1)) * g.nx;
@@ -184,15 +216,23 @@ void blur(GridField& field, double sigma) {
         }
       }
     }
+    // Along z, in place: the rows behind are kept as they were, those ahead still are.
+    const int kept = reachZ + 1;
+    std::vector<float> before(static_cast<std::size_t>(kept) * g.nx);
+    const auto was = [&](int k) { return before.data() + static_cast<std::size_t>(k % kept) * g.nx; };
 #pragma omp for schedule(static)
-    for (int k = 0; k < g.nz; ++k) {  // along z
-      float* target = field.values.data() + g.row(0, k);
-      std::fill_n(target, planeSize, 0.0F);
-      for (int m = -reachZ; m <= reachZ; ++m) {
-        int source = std::abs(k + m);
-        if (source >= g.nz) source = 2 * (g.nz - 1) - source;
-        const float* from = result.data() + g.row(0, std::clamp(source, 0, g.nz - 1));
-        for (std::size_t n = 0; n < planeSize; ++n) target[n] += along[m + reachZ] * from[n];
+    for (int j = 0; j < g.ny; ++j) {
+      for (int k = 0; k < g.nz; ++k) {
+        float* target = field.values.data() + g.row(j, k);
+        std::copy_n(target, g.nx, was(k));
+        std::fill_n(target, g.nx, 0.0F);
+        for (int m = -reachZ; m <= reachZ; ++m) {
+          int source = std::abs(k + m);
+          if (source >= g.nz) source = 2 * (g.nz - 1) - source;
+          source = std::clamp(source, 0, g.nz - 1);
+          const float* from = source <= k ? was(source) : field.values.data() + g.row(j, source);
+          for (int i = 0; i < g.nx; ++i) target[i] += along[m + reachZ] * from[i];
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "RadiusMap.h"
 
@@ -76,18 +77,18 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
   const LumenGrid grid(length, obstacles.outerRadius + 2 * h, h);
 
   const double reach = settings.smoothing > 0 ? std::max(settings.smoothing + h, clip) : clip;
-  GridField tissue = sphereDistance(grid, obstacles.tissue, reach);
+  GridField tissue = sphereDistance(grid, std::move(obstacles.tissue), reach);
   const RadiusMap eel(agents, AgentKind::eel, 2 * obstacles.meanEelRadius());
   wallOff(tissue, obstacles.outerRadius, eel, clip);
   if (settings.smoothing > 0) {
-    tissue = closeByBall(tissue, settings.smoothing, clip);
+    closeByBall(tissue, settings.smoothing, clip);
     blur(tissue, settings.blurFraction * settings.smoothing);
   }
   std::optional<GridField> strut;
   if (!struts.empty())
     strut = strutDistance(grid, struts, clip);
   else if (!obstacles.strut.empty())
-    strut = sphereDistance(grid, obstacles.strut, clip);
+    strut = sphereDistance(grid, std::move(obstacles.strut), clip);
   return {std::move(tissue), std::move(strut), settings.jointWidth * h};
 }
 

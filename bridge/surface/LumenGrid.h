@@ -25,6 +25,7 @@ struct LumenGrid {
   Vec3 node(int i, int j, int k) const { return {x(i), y(j), z(k)}; }
   std::size_t row(int j, int k) const { return (static_cast<std::size_t>(k) * ny + j) * nx; }
   std::size_t index(int i, int j, int k) const { return row(j, k) + i; }
+  std::size_t planeSize() const { return static_cast<std::size_t>(nx) * ny; }
   std::size_t size() const { return static_cast<std::size_t>(nx) * ny * nz; }
 };
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "FlowSupport.h"
@@ -97,6 +98,19 @@ TEST(LbmLimits, gapOfAboutOneNode) {
   if (!said.empty()) {
     EXPECT_NE(said.find("dx"), std::string::npos) << said;
   }
+}
+
+TEST(LbmLimits, aLumenTooNarrowForTheSpacingIsSolvedWithAFinerOne) {
+  const double radius = 0.055e-3, meanVelocity = 1e-3;
+  FlowConditions conditions = vesselConditions();
+  conditions.flowRate = meanVelocity * std::numbers::pi * radius * radius;
+  const FlowSolution solved = LbmBackend(coarse()).solve(tube(radius, tubeLength), conditions, {});
+  EXPECT_LT(solved.massImbalance, 0.05);
+  EXPECT_NEAR(stressError(solved, 4 * 2.7e-3 * meanVelocity / radius, 0.0, tubeLength).mean, 0, 0.2);
+  EXPECT_TRUE(std::ranges::any_of(solved.remarks, [](const std::string& remark) {
+    return remark.starts_with(
+        "solved with spacings of 31.25 um, for with 62.5 um, lbm.dx, it was refused: the inlet is 0.1");
+  }));
 }
 
 TEST(LbmLimits, gapThinnerThanTheSpacing) {

@@ -41,11 +41,13 @@ TEST(DistanceField, ClosingFillsWhatTheBallCannotEnterAndShavesNothingOff) {
     for (int m = 0; m <= 80; ++m)
       for (const double x : {-30 * um, 30 * um}) balls.push_back({{x, n * 5 * um, m * 5 * um}, 15 * um});
   const double probe = 30 * um;
-  const GridField closed = closeByBall(sphereDistance(g, balls, probe + 5 * um), probe, 15 * um);
+  GridField closed = sphereDistance(g, balls, probe + 5 * um);
+  closeByBall(closed, probe, 15 * um);
   EXPECT_LT(closed.at({0, 0, 200 * um}), 0);
   // Outer faces stay at 45 um; the bound is the depth of the scallops.
   EXPECT_NEAR(closed.at({50 * um, 0, 200 * um}), 5 * um, 0.5 * um);
-  const GridField open = closeByBall(sphereDistance(g, balls, 15 * um), 10 * um, 15 * um);
+  GridField open = sphereDistance(g, balls, 15 * um);
+  closeByBall(open, 10 * um, 15 * um);
   EXPECT_GT(open.at({0, 0, 200 * um}), 0);
 }
 
@@ -80,7 +82,8 @@ TEST(DistanceField, DoesNotDependOnThreads) {
   auto compute = [&](int threads) {
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    GridField f = closeByBall(sphereDistance(g, balls, 40 * um), 30 * um, 30 * um);
+    GridField f = sphereDistance(g, balls, 40 * um);
+    closeByBall(f, 30 * um, 30 * um);
     blur(f, 15 * um);
     omp_set_num_threads(before);
     return f.values;

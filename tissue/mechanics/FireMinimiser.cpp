@@ -11,7 +11,7 @@ constexpr double firstTimeStep = 0.4, largestTimeStep = 1.35;
 constexpr double grow = 1.1, shrink = 0.5;
 constexpr double firstMixing = 0.1, mixingDecay = 0.99;
 constexpr int stepsBeforeGrowth = 5;
-constexpr float uphillShare = 0.5;  // of its velocity that an agent keeps while it moves against its force
+constexpr float uphillShare = 0.5;    // of its velocity that an agent keeps while it moves against its force
 constexpr double steadyShare = 0.95;  // of the bound on steering
 
 /// Mobilities are 1 / mass, the axial one times the axial factor; the larger of the two is 1 / stiffness.

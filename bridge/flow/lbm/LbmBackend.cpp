@@ -26,6 +26,11 @@ constexpr double coarseTolerance = 10.0;
 constexpr double fewestSpacings = 2.0;
 /// Fewest spacings across the lumen without a remark (docs/model/flow.md).
 constexpr double fewestWithoutRemark = 6.0;
+/// How often the spacing is halved where the lumen has become too narrow for it, if the lattice has no more
+/// nodes than these then. Assumed: a lumen of less than two spacings of the finest is all but closed, and a
+/// wide one that is narrow in one place is not to take hours without having been asked for.
+constexpr int mostHalvings = 3;
+constexpr double mostNodesOfHalved = 1e6;
 /// Nodes across the inlet below which a coarser lattice is of no use.
 constexpr double fewestNodesAcross = 16.0;
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
@@ -214,11 +219,33 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
     narrow = narrownessRemark(lumen, {settings_.dx, "spacings", fewestWithoutRemark,
                                       "a finer scene.fidelity or a smaller lbm.dx resolves it"});
     FlowSolution solution;
-    const auto solved = LevelSolver(lumen, conditions, settings_, stopRequested_, log, solution).solve();
-    if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
-    take(solution, *solved);
-    log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance, solution.pressureDrop);
-    judge(solution, *solved);
+    LbmSettings settings = settings_;
+    std::string refused;
+    for (int halvings = 0;; ++halvings, settings.dx /= 2) {
+      try {
+        const auto solved = LevelSolver(lumen, conditions, settings, stopRequested_, log, solution).solve();
+        if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
+        take(solution, *solved);
+        log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance,
+                 solution.pressureDrop);
+        judge(solution, *solved);
+        break;
+      } catch (const std::exception& error) {
+        // What a finer lattice says of its own is of less use than what is wrong with that of the settings.
+        if (refused.empty()) refused = error.what();
+        const bool stopped = stopRequested_ && *stopRequested_;
+        const double finerNodes = enclosedVolume(lumen) / std::pow(settings.dx / 2, 3);
+        if (narrow.empty() || stopped || halvings == mostHalvings || !(finerNodes <= mostNodesOfHalved))
+          throw std::runtime_error(refused);
+        log.line("  refused: {}; once more with half the spacing", error.what());
+        solution.remarks.clear();
+      }
+    }
+    if (!refused.empty()) {
+      solution.remarks.push_back(
+          fmt::format("solved with spacings of {:.4g} um, for with {:.4g} um, lbm.dx, it was refused: {}",
+                      1e6 * settings.dx, 1e6 * settings_.dx, refused));
+    }
     if (!narrow.empty()) solution.remarks.push_back(narrow);
     return solution;
   } catch (const std::exception& error) {
