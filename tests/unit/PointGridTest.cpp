@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 #include "PointGrid.h"
 #include "RandomStream.h"
@@ -30,6 +31,21 @@ TEST(PointGrid, FindsWhatASearchOfAllPointsFinds) {
     }
     EXPECT_EQ(found, expected);
   }
+}
+
+TEST(PointGrid, BeginsInTheCellOfThePlace) {
+  PointGrid grid({0, 0, 0}, {1, 1, 1}, 0.1);
+  grid.insert(0, {0.44, 0.55, 0.55});
+  grid.insert(1, {0.56, 0.55, 0.55});
+  grid.insert(2, {0.56, 0.56, 0.55});
+  grid.insert(3, {0.66, 0.55, 0.55});
+  std::vector<Index> order;
+  grid.visit({0.55, 0.55, 0.55}, 0.2, [&](Index n, double) {
+    order.push_back(n);
+    return true;
+  });
+  EXPECT_EQ(order, (std::vector<Index>{1, 2, 0, 3}));
+  grid.fetch({5, -5, 0.5});  // a place beyond the box has a cell, too
 }
 
 TEST(PointGrid, StopsWhenTold) {

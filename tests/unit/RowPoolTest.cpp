@@ -34,6 +34,18 @@ TEST(RowPool, LaysRowsOutAsLongAsTheyAreTold) {
   EXPECT_FALSE(pool.wasteful());
 }
 
+TEST(RowPool, GivesRowsRoomWithoutChangingThem) {
+  RowPool<int> pool = longAndShort();
+  const Rows before = rowsOf(pool);
+  pool.spread([](std::size_t k) { return static_cast<std::uint32_t>(2 * k); });
+  EXPECT_EQ(rowsOf(pool), before);
+  const int* const first = pool[1].data();
+  for (const int element : {5, 6}) pool.append(1, element, 0);
+  EXPECT_EQ(rowsOf(pool)[1], (std::vector<int>{1, 5, 6}));
+  EXPECT_EQ(pool[1].data(), first) << "there was room for two";
+  EXPECT_EQ(rowsOf(pool)[2], before[2]);
+}
+
 TEST(RowPool, HoldsWhatRowsWereGiven) {
   RandomStream random(5, 0, 0, RandomPurpose::packing);
   const auto below = [&](std::size_t limit) {

@@ -49,6 +49,10 @@ class PairForces {
  private:
   static_assert(PairRows::width % lanes == 0);
 
+  // Partners are asked for so many lines before they are needed. Speed only: 3 to 9 % of relaxation where the
+  // agents do not fit the caches, a loss of 2 % of this loop where they do.
+  static constexpr std::size_t ahead = 3;
+
   // Distance that coinciding centres are taken to have, over sqrt(3) [m]: far below any radius; its square is
   // far above underflow, in single precision too.
   static constexpr Real coincident = 1e-15F;
@@ -78,6 +82,7 @@ class PairForces {
     Values fx = 0, fy = 0, fz = 0, virial = 0, firmness = 0, stiffness = 0, nearest2 = Real{1};
     for (std::size_t n = 0; n < lines.size(); ++n) {
       const Index* const partners = lines[n].agent.data() + lane;
+      if (n + ahead < lines.size()) spheres_.fetch(lines[n + ahead].agent.data() + lane);
       const auto there = spheres_.at(partners);
       Values dx, dy, dz;
       spheres_.separation(here, there, dx, dy, dz);

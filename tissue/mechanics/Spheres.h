@@ -73,6 +73,8 @@ class ExactSpheres {
     }
     return p;
   }
+  /// Nothing: few forces are computed in double precision.
+  void fetch(const Index*) const {}
   /// From each of `b` to that of `a` [m].
   static void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) {
     dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
@@ -98,6 +100,10 @@ class FixedSpheresOf {
       : spheres_(spheres), unit_(static_cast<float>(unit)) {}
 
   Places at(const Index* agents) const;
+  /// Asks for the memory that at() of these agents reads.
+  void fetch(const Index* agents) const {
+    for (int k = 0; k < lanes; ++k) __builtin_prefetch(&spheres_[agents[k]]);
+  }
   void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) const {
     dx = metres(a.x - b.x), dy = metres(a.y - b.y), dz = metres(a.z - b.z);
   }
