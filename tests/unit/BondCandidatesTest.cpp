@@ -35,7 +35,7 @@ TEST(BondCandidates, AreConnectedNearestFirstWhoeverHasRoomForAll) {
     while (static_cast<double>(candidates.size()) < perAgent * agents.size()) {
       const Index a = below(agents.size()), b = below(agents.size());
       if (a == b) continue;
-      candidates.push_back({(1 + below(40)) * 1e-6, a, b});
+      candidates.push_back({(1 + a * b % 41) * 1e-6, a, b});
       if (below(10) == 0) candidates.push_back({candidates.back().distance, b, a});
     }
     const std::size_t made = connectNearestFirst(agents, bonds, candidates);
