@@ -32,6 +32,9 @@ constexpr double softestContact = 1.2;
 // agents settle at a fiftieth of the tolerance.
 constexpr double leastMixedTolerance = 0.01;
 
+// A force is more than another, both in single precision, above so many times that.
+constexpr double longerThanRounded = 1 + 1e-6;
+
 /// What is said of a step limit that lets no agent go anywhere.
 std::string shortSteps(const MechanicsParameters& p) {
   const double farthest = p.stepLimit * static_cast<double>(p.maximumIterations);
@@ -141,7 +144,7 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
     // What a daughter whom contacts hold softly may keep is less than the tolerance
     const double restless = on.restlessness / characteristicForce_;
     const std::string softly =
-        restless > left
+        restless > longerThanRounded * left
             ? fmt::format(" (of at most {:.3g}, for contacts hold it softly: mechanics.firmStiffness = {})",
                           parameters_.tolerance * left / restless, parameters_.firmStiffness)
             : "";
