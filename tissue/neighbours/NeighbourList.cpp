@@ -223,23 +223,10 @@ double NeighbourList::comfortableRoom() const { return leftBeforeLookUp * range_
 
 void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
   const Anchor& anchor = anchors_[i];
-  thread_local std::vector<Index> candidates;
-  candidates.clear();
-  // Their anchors lie all over memory: all are asked for before the first is waited for.
   grid_->forEachCandidate(anchor.position, reachOf(anchor, range_, largestRadius_), [&](Index j) {
-    __builtin_prefetch(&anchors_[j]);
-    candidates.push_back(j);
+    if (j != i && inRange(range_, anchor, anchors_[j])) row.push_back(j);
   });
-  // Each is written, and kept by counting it: no branch to be guessed wrong.
-  const std::size_t first = row.size();
-  row.resize(first + candidates.size());
-  Index* out = row.data() + first;
-  for (const Index j : candidates) {
-    *out = j;
-    out += inRange(range_, anchor, anchors_[j]) & (j != i);
-  }
-  row.resize(static_cast<std::size_t>(out - row.data()));
-  std::sort(row.begin() + static_cast<std::ptrdiff_t>(first), row.end());
+  std::ranges::sort(row);
 }
 
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {

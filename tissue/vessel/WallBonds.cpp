@@ -16,19 +16,16 @@ std::size_t bondWall(Wall& wall, double range) {
 
   const double largest = NeighbourQuery::largestRadius(agents);
   const CellGrid grid(agents, 2 * range * largest);
-  return connectNearestFirst(
-      agents, wall.bonds,
-      gatherPieces<BondCandidate>(agents.size(),
-                                  [&](std::size_t begin, std::size_t end, std::vector<BondCandidate>& pairs) {
-                                    NeighbourQuery query(agents, grid, largest);
-                                    for (Index a = static_cast<Index>(begin); a < end; ++a) {
-                                      if (agents.kind[a] == AgentKind::strut) continue;
-                                      query.forEachNeighbour(a, range, [&](Index b, double distance) {
-                                        if (b > a && agents.kind[b] != AgentKind::strut)
-                                          pairs.push_back({distance, a, b});
-                                      });
-                                    }
-                                  }));
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<BondCandidate>& pairs) {
+    NeighbourQuery query(agents, grid, largest);
+    for (Index a = static_cast<Index>(begin); a < end; ++a) {
+      if (agents.kind[a] == AgentKind::strut) continue;
+      query.forEachNeighbour(a, range, [&](Index b, double distance) {
+        if (b > a && agents.kind[b] != AgentKind::strut) pairs.push_back({distance, a, b});
+      });
+    }
+  };
+  return connectNearestFirst(agents, wall.bonds, gatherPieces<BondCandidate>(agents.size(), find));
 }
 
 }  // namespace restenosis
