@@ -233,9 +233,9 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
       } catch (const std::exception& error) {
         // What a finer lattice says of its own is of less use than what is wrong with that of the settings.
         if (refused.empty()) refused = error.what();
-        const bool stopped = stopRequested_ && *stopRequested_;
+        if (stopRequested_ && *stopRequested_) throw;
         const double finerNodes = enclosedVolume(lumen) / std::pow(settings.dx / 2, 3);
-        if (narrow.empty() || stopped || halvings == mostHalvings || !(finerNodes <= mostNodesOfHalved))
+        if (narrow.empty() || halvings == mostHalvings || !(finerNodes <= mostNodesOfHalved))
           throw std::runtime_error(refused);
         log.line("  refused: {}; once more with half the spacing", error.what());
         solution.remarks.clear();
