@@ -60,10 +60,8 @@ Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::ui
                          vessel.cellRadius + widest);
   wall.agents.reserve(counts.total());
   const auto add = [&](AgentKind kind, Index count, const SurfaceFromAxis& from, const SurfaceFromAxis& to) {
-    scatter.restart();
-    for (Index n = 0; n < count; ++n) {
-      scatter.add(wall.agents, kind, drawRadius(vessel, wall.agents.nextId, seed), from, to);
-    }
+    scatter.add(
+        wall.agents, kind, count, [&](AgentId id) { return drawRadius(vessel, id, seed); }, from, to);
   };
   add(AgentKind::iel, counts.iel, shape.iel, shape.iel);
   add(AgentKind::eel, counts.eel, shape.eel, shape.eel);
