@@ -45,6 +45,20 @@ TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
   }
 }
 
+TEST(MovableGrid, LeavesOutThoseTooFarInCellsThatAreNear) {
+  const std::vector<Vec3> points = {{0.05, 0.05, 0.05}, {0.08, 0.05, 0.05}, {0.19, 0.05, 0.05}};
+  MovableGrid grid(
+      points.size(), [&](std::size_t k) { return points[k]; }, 0.1);
+  const auto near = [&] {
+    std::set<Index> found;
+    grid.forEachCandidate(points[0], 0.1, [&](Index j) { found.insert(j); });
+    return found;
+  };
+  EXPECT_EQ(near(), (std::set<Index>{0, 1}));
+  grid.place(2, Vec3(0.14, 0.05, 0.05));  // in the cell it was in
+  EXPECT_EQ(near(), (std::set<Index>{0, 1, 2}));
+}
+
 TEST(MovableGrid, BeginsWithoutPoints) {
   MovableGrid grid(0, noPoint, 0.1);
   grid.place(0, Vec3(5, 5, 5));

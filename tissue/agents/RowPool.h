@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ReadAhead.h"
 #include "Room.h"
 
 namespace restenosis {
@@ -28,6 +29,19 @@ class RowPool {
     return {elements_.data() + rows_[row].start, rows_[row].count};
   }
   std::span<T> operator[](std::size_t row) { return {elements_.data() + rows_[row].start, rows_[row].count}; }
+  /// Brings into the cache where a row is; its first and last element.
+  void readRoomAhead(std::size_t row) const { restenosis::readAhead(&rows_[row]); }
+  void readAhead(std::size_t row) const {
+    const std::span<const T> elements = (*this)[row];
+    if (elements.empty()) return;
+    restenosis::readAhead(&elements.front());
+    restenosis::readAhead(&elements.back());
+  }
+  /// The same for many rows, which wait together.
+  void readAhead(std::span<const std::uint32_t> rows) const {
+    for (const std::uint32_t row : rows) readRoomAhead(row);
+    for (const std::uint32_t row : rows) readAhead(row);
+  }
   /// How many elements all rows have.
   std::size_t elementCount() const {
     std::size_t elements = 0;

@@ -31,7 +31,7 @@ void AgentSpheres::packAll() {
 
 void AgentSpheres::copy(Index i) {
   spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
-  if (scale_) fixed_[i] = scale_->of(agents_.position(i), agents_.radius[i]);
+  if (scale_) fixed_[i] = fixedSphere(*scale_, agents_.position(i), static_cast<float>(agents_.radius[i]));
 }
 
 bool AgentSpheres::changed(Index i) const {

@@ -39,7 +39,7 @@ class AgentSpheres {
   /// Agent i is here now, and as large as it was.
   void moveTo(Index i, const Vec3& position) {
     if (scale_) {
-      fixed_[i] = scale_->at(position, fixed_[i].r);
+      fixed_[i] = fixedSphere(*scale_, position, fixed_[i].r);
     } else {
       spheres_[i] = {position.x(), position.y(), position.z(), spheres_[i].r};
     }

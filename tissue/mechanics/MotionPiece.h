@@ -49,6 +49,12 @@ struct alignas(64) MotionPiece {
   void set(std::size_t k, const AgentMotion& agent);
   /// Makes the k-th what the m-th of a piece is.
   void copy(std::size_t k, const MotionPiece& from, std::size_t m);
+  /// Asks for all of it, which is in some twenty arrays. Speed only.
+  void fetch() const {
+    constexpr std::size_t line = 64;
+    for (std::size_t at = 0; at < sizeof(MotionPiece); at += line)
+      __builtin_prefetch(reinterpret_cast<const char*>(this) + at);
+  }
   /// Of `count` agents: puts agents at rest, on which nothing acts, into what is left of the last lanes.
   void fillLanes(std::size_t count);
 };

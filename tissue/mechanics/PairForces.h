@@ -40,6 +40,7 @@ class PairForces {
       const std::size_t count = std::min<std::size_t>(lanes, agents.size() - first);
       for (std::size_t n = 0; n < count; ++n) self[n] = agents[rows[first + n]];
       std::fill(self.begin() + count, self.end(), self[0]);  // lanes beyond the last have rows of nobody
+      fetchNext(rows, agents, first + lanes);
       if (!sumOf<false>(rows, group, lane, self, ofLanes)) [[unlikely]]
         sumOf<true>(rows, group, lane, self, ofLanes);
       for (std::size_t n = 0; n < count; ++n) loads[rows[first + n]] = ofLanes[n];
@@ -56,6 +57,16 @@ class PairForces {
   // Distance that coinciding centres are taken to have, over sqrt(3) [m]: far below any radius; its square is
   // far above underflow, in single precision too.
   static constexpr Real coincident = 1e-15F;
+
+  /// Asks for what the lanes from `first` on begin with.
+  void fetchNext(const PairRows& rows, std::span<const Index> agents, std::size_t first) const {
+    for (std::size_t n = first; n < std::min<std::size_t>(first + lanes, agents.size()); ++n)
+      spheres_.fetchOne(agents[rows[n]]);
+    if (first >= agents.size()) return;
+    const auto lines = rows.partners(first / PairRows::width);
+    for (const auto& line : lines.first(std::min(ahead, lines.size())))
+      spheres_.fetch(line.agent.data() + first % PairRows::width);
+  }
 
   /// The loads of the agents `self`, whose rows begin at `lane` of this group. Returns false, the loads being
   /// wrong, if centres coincide and `careful` is not set.

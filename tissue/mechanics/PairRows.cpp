@@ -42,6 +42,7 @@ void PairRows::layOut(const PairSource& source, std::span<const Index> agents, I
     Kind kind;
     std::uint32_t length, start;  // in `pairs`, but for marked rows in groups of these
   };
+  source.readAhead(agents);
   thread_local std::vector<ActingPair> pairs;
   pairs.clear();
   std::array<Row, most> rows;

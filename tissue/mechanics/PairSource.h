@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "BondTable.h"
@@ -26,6 +27,11 @@ struct PairSource {
   /// Whether all pairs of agent i are marked and none has a bond: its partners are its neighbours.
   bool allMarked(Index i) const {
     return marksDaughters && (flags[i] & AgentFlag::daughter) && bonds.of(i).empty();
+  }
+  /// Brings into the cache what append() reads of these agents. Speed only.
+  void readAhead(std::span<const Index> agents) const {
+    neighbours.readAhead(agents);
+    bonds.readAhead(agents);
   }
   /// Appends the partners of agent i in ascending order, each once; returns whether any pair is marked.
   bool append(Index i, std::vector<ActingPair>& pairs) const;

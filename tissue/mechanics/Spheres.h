@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "AgentStore.h"
+#include "FixedScale.h"
 #include "Lanes.h"
 
 namespace restenosis {
@@ -22,35 +23,11 @@ struct alignas(16) FixedSphere {
   float r;  ///< [m]
 };
 
-/// Positions as whole numbers of a unit. Differences of them are exact and the same wherever the agents are,
-/// so that single precision is enough for all that follows. They are modulo 2^32: true between agents less
-/// than `reach` apart, which those are that act on each other, wherever in space they lie.
-class FixedScale {
- public:
-  /// The unit is the power of two just below `radius` 2^-22 [m].
-  explicit FixedScale(double radius);
-
-  double unit() const { return unit_; }
-  /// Half the period [m]: about 500 radii.
-  double reach() const { return unit_ * 2147483648.0; }
-  FixedSphere of(const Vec3& position, double radius) const {
-    return at(position, static_cast<float>(radius));
-  }
-  FixedSphere at(const Vec3& position, float radius) const {
-    return {whole(position.x()), whole(position.y()), whole(position.z()), radius};
-  }
-
- private:
-  std::uint32_t whole(double coordinate) const {
-    const double units = std::nearbyint(coordinate * perUnit_);
-    if (!(std::abs(units) < 0x1p62)) return wholeOfFar(units);
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
-  }
-  static std::uint32_t wholeOfFar(double units);
-
-  double unit_;
-  double perUnit_;
-};
+/// An agent as FixedSphere.
+inline FixedSphere fixedSphere(const FixedScale& scale, const Vec3& position, float radius) {
+  const auto [x, y, z] = scale.of(position);
+  return {x, y, z, radius};
+}
 
 /// Radius of the sphere that stands in for "no agent": so far below zero that it touches nothing.
 inline constexpr double noAgentRadius = -1e6;
@@ -75,6 +52,7 @@ class ExactSpheres {
   }
   /// Nothing: few forces are computed in double precision.
   void fetch(const Index*) const {}
+  void fetchOne(Index) const {}
   /// From each of `b` to that of `a` [m].
   static void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) {
     dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
@@ -104,6 +82,7 @@ class FixedSpheresOf {
   void fetch(const Index* agents) const {
     for (int k = 0; k < lanes; ++k) __builtin_prefetch(&spheres_[agents[k]]);
   }
+  void fetchOne(Index agent) const { __builtin_prefetch(&spheres_[agent]); }
   void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) const {
     dx = metres(a.x - b.x), dy = metres(a.y - b.y), dz = metres(a.z - b.z);
   }

@@ -18,33 +18,35 @@ void MovableGrid::fill() {
   buckets_.layOut(
       left.size(), [&](std::size_t cell) { return left[cell]; }, spare);
   for (Index i = 0; i < size(); ++i) {
-    const std::span<Index> bucket = buckets_[cell_[i]];
-    bucket[bucket.size() - left[cell_[i]]--] = i;
+    const std::span<Entry> bucket = buckets_[cell_[i]];
+    bucket[bucket.size() - left[cell_[i]]--].point = i;
   }
 }
 
 void MovableGrid::place(Index i, const Vec3& point) {
   const std::uint32_t cell = lattice_.cellOf(point);
+  const Entry entry{.place = scale_.of(point), .point = i};
   if (i == size()) {
     makeRoom(cell_, cell_.size() + 1);
     cell_.push_back(cell);
-    add(i, cell);
+    add(entry, cell);
   } else if (cell != cell_[i]) {
     take(i);
     cell_[i] = cell;
-    add(i, cell);
+    add(entry, cell);
+  } else {
+    entryOf(i) = entry;
   }
 }
 
-void MovableGrid::add(Index i, std::uint32_t cell) {
+void MovableGrid::add(const Entry& entry, std::uint32_t cell) {
   if (buckets_.wasteful()) buckets_.compact(spare);
-  buckets_.append(cell, i, moreRoom);
+  buckets_.append(cell, entry, moreRoom);
 }
 
 void MovableGrid::take(Index i) {
-  const std::span<Index> bucket = buckets_[cell_[i]];
-  *std::ranges::find(bucket, i) = bucket.back();
-  buckets_.shorten(cell_[i], bucket.size() - 1);
+  entryOf(i) = buckets_[cell_[i]].back();
+  buckets_.shorten(cell_[i], buckets_[cell_[i]].size() - 1);
 }
 
 }  // namespace restenosis

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "CellLattice.h"
 #include "Chunks.h"
+#include "FixedScale.h"
 #include "RowPool.h"
 
 namespace restenosis {
@@ -17,35 +19,63 @@ class MovableGrid {
   /// `count` points, pointAt(k) the k-th of them, all finite; `cellSize` > 0 [m].
   template <class PointAt>
   MovableGrid(std::size_t count, const PointAt& pointAt, double cellSize)
-      : lattice_(count, pointAt, cellSize), cell_(count) {
+      : lattice_(count, pointAt, cellSize), scale_(cellSize), cell_(count) {
     forEachInChunks(count, [&](std::size_t k) { cell_[k] = lattice_.cellOf(pointAt(k)); });
     fill();
+    forEachInChunks(count,
+                    [&](std::size_t k) { entryOf(static_cast<Index>(k)).place = scale_.of(pointAt(k)); });
   }
 
   Index size() const { return static_cast<Index>(cell_.size()); }
   /// Puts point i elsewhere; i = size() adds one.
   void place(Index i, const Vec3& point);
 
-  /// Calls f(j) once for each point in a cell that the ball around `point` may touch, in no particular order.
-  /// All points within `distance` of `point` are among them; others too, so distances must be tested.
+  /// Calls f(j) once for each point within `distance` of `point`, in no particular order. Others may be among
+  /// them, so distances must be tested.
   template <class F>
   void forEachCandidate(const Vec3& point, double distance, F&& f) const {
+    const FixedPlace here = scale_.of(point);
+    const float reach = static_cast<float>(roundedReach * (distance / scale_.unit() + 2));
     lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t cell = begin; cell < end; ++cell) {
-        for (const Index j : buckets_[static_cast<std::size_t>(cell)]) f(j);
+        for (const Entry& entry : buckets_[static_cast<std::size_t>(cell)]) {
+          if (squaredDistance(here, entry.place) <= reach * reach) f(entry.point);
+        }
       }
     });
   }
 
+  /// Brings into the cache what the same search reads: first readRoomsAhead(), then readAhead(). Speed only.
+  void readRoomsAhead(const Vec3& point, double distance) const {
+    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t) {
+      buckets_.readRoomAhead(static_cast<std::size_t>(begin));
+    });
+  }
+  void readAhead(const Vec3& point, double distance) const {
+    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t cell = begin; cell < end; ++cell) buckets_.readAhead(static_cast<std::size_t>(cell));
+    });
+  }
+
  private:
+  /// A point, and where it is, so that a search need not look that up for the many that are too far.
+  struct Entry {
+    FixedPlace place;
+    Index point;
+  };
+  // Of a distance: by more than it is rounded.
+  static constexpr double roundedReach = 1 + 1e-6;
+
   /// Puts every point into the bucket of its cell.
   void fill();
-  void add(Index i, std::uint32_t cell);
+  Entry& entryOf(Index i) { return *std::ranges::find(buckets_[cell_[i]], i, &Entry::point); }
+  void add(const Entry& entry, std::uint32_t cell);
   void take(Index i);
 
   CellLattice lattice_;
+  FixedScale scale_;
   std::vector<std::uint32_t> cell_;  ///< of each point
-  RowPool<Index> buckets_;           ///< the points of each cell
+  RowPool<Entry> buckets_;           ///< the points of each cell
 };
 
 }  // namespace restenosis

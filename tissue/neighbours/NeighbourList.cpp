@@ -3,6 +3,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -221,12 +222,24 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
 
 double NeighbourList::comfortableRoom() const { return leftBeforeLookUp * range_.skin / 2; }
 
-void NeighbourList::appendInRange(Index i, std::vector<Index>& row) const {
-  const Anchor& anchor = anchors_[i];
-  grid_->forEachCandidate(anchor.position, reachOf(anchor, range_, largestRadius_), [&](Index j) {
-    if (j != i && inRange(range_, anchor, anchors_[j])) row.push_back(j);
-  });
-  std::ranges::sort(row);
+void NeighbourList::findInRange(std::span<const Index> agents, std::span<std::vector<Index>> found) const {
+  // Agents looked up are far apart, and so is what each search reads: that of all is asked for step by step,
+  // so that they wait for memory together.
+  const auto reach = [this](Index i) { return reachOf(anchors_[i], range_, largestRadius_); };
+  for (const Index i : agents) grid_->readRoomsAhead(anchors_[i].position, reach(i));
+  for (const Index i : agents) grid_->readAhead(anchors_[i].position, reach(i));
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    found[k].clear();
+    grid_->forEachCandidate(anchors_[agents[k]].position, reach(agents[k]), [&](Index j) {
+      __builtin_prefetch(&anchors_[j]);
+      found[k].push_back(j);
+    });
+  }
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    const Index i = agents[k];
+    std::erase_if(found[k], [&](Index j) { return j == i || !inRange(range_, anchors_[i], anchors_[j]); });
+    std::ranges::sort(found[k]);
+  }
 }
 
 std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {
@@ -248,10 +261,10 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   std::vector<std::vector<Edit>> editsOf(names.size());
   const auto isNew = [known](Index i) { return i >= known; };
   const auto lookAt = [&](std::size_t begin, std::size_t end) {
-    thread_local std::vector<Index> row;
+    thread_local std::array<std::vector<Index>, lookUpsOfPiece> rows;
+    findInRange(std::span(names).subspan(begin, end - begin), rows);
     for (std::size_t k = begin; k < end; ++k) {
-      row.clear();
-      appendInRange(names[k], row);
+      const std::vector<Index>& row = rows[k - begin];
       editsOf[k] = difference(names[k], row);
       if (!editsOf[k].empty() || isNew(names[k])) found[k] = row;
     }

@@ -54,6 +54,8 @@ class NeighbourList {
   bool worthLookingUp(std::size_t agents) const;
 
   std::span<const Index> of(Index i) const { return rows_[i]; }
+  /// Brings into the cache what of() these agents refers to. Speed only.
+  void readAhead(std::span<const Index> agents) const { rows_.readAhead(agents); }
   Index size() const { return static_cast<Index>(anchors_.size()); }
   std::size_t pairCount() const { return rows_.elementCount() / 2; }
   /// Whether the agents of the list are still the first, in the same order.
@@ -99,8 +101,8 @@ class NeighbourList {
   std::vector<Index> findStale(const AgentStore& agents);
   /// Looks up the agents `names`; returns whose rows changed, in ascending order.
   std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
-  /// Appends the agents in range of agent i, in ascending order.
-  void appendInRange(Index i, std::vector<Index>& row) const;
+  /// Makes found[k] the agents in range of the k-th of `agents`, in ascending order.
+  void findInRange(std::span<const Index> agents, std::span<std::vector<Index>> found) const;
   /// A neighbour that a row gains, or loses if it has it.
   struct Edit {
     Index row, neighbour;
