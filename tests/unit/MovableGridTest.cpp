@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -23,6 +24,11 @@ void expectComplete(const MovableGrid& grid, const std::vector<Vec3>& points, do
   }
 }
 
+/// Puts one point.
+void place(MovableGrid& grid, Index i, const Vec3& point) {
+  grid.place(std::array{i}, [&](Index) -> const Vec3& { return point; });
+}
+
 Vec3 noPoint(std::size_t) { return Vec3::Zero(); }
 
 TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
@@ -34,12 +40,16 @@ TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
       points.size(), [&](std::size_t k) { return points[k]; }, 0.1);
   expectComplete(grid, points, 0.12);
   for (int step = 0; step < 5; ++step) {
+    std::vector<Index> moved;
     for (std::size_t i = 0; i < points.size(); i += 3) {
       points[i] = i % 2 == 0 ? anywhere() : Vec3(points[i] + 3 * anywhere());  // some leave the box
-      grid.place(static_cast<Index>(i), points[i]);
+      moved.push_back(static_cast<Index>(i));
     }
-    points.push_back(anywhere());
-    grid.place(grid.size(), points.back());
+    for (int n = 0; n < 2; ++n) {
+      moved.push_back(static_cast<Index>(points.size()));
+      points.push_back(anywhere());
+    }
+    grid.place(moved, [&](Index i) -> const Vec3& { return points[i]; });
     ASSERT_EQ(grid.size(), points.size());
     for (const double distance : {0.01, 0.12, 0.5}) expectComplete(grid, points, distance);
   }
@@ -55,13 +65,13 @@ TEST(MovableGrid, LeavesOutThoseTooFarInCellsThatAreNear) {
     return found;
   };
   EXPECT_EQ(near(), (std::set<Index>{0, 1}));
-  grid.place(2, Vec3(0.14, 0.05, 0.05));  // in the cell it was in
+  place(grid, 2, Vec3(0.14, 0.05, 0.05));  // in the cell it was in
   EXPECT_EQ(near(), (std::set<Index>{0, 1, 2}));
 }
 
 TEST(MovableGrid, BeginsWithoutPoints) {
   MovableGrid grid(0, noPoint, 0.1);
-  grid.place(0, Vec3(5, 5, 5));
+  place(grid, 0, Vec3(5, 5, 5));
   int found = 0;
   grid.forEachCandidate(Vec3(5, 5, 5.05), 0.1, [&](Index) { ++found; });
   EXPECT_EQ(found, 1);

@@ -46,6 +46,21 @@ TEST(RowPool, GivesRowsRoomWithoutChangingThem) {
   EXPECT_EQ(rowsOf(pool)[2], before[2]);
 }
 
+TEST(RowPool, SetsARowInPlaceOnlyWhereThereIsRoom) {
+  RowPool<int> pool = longAndShort();
+  pool.append(1, 7, 2);  // which gives it room for two more
+  const Rows before = rowsOf(pool);
+  EXPECT_FALSE(pool.setInPlace(1, std::vector<int>(5, 9)));
+  EXPECT_FALSE(pool.setInPlace(2, std::vector<int>(700, 9))) << "more room to spare than a row may have";
+  EXPECT_EQ(rowsOf(pool), before);
+  EXPECT_TRUE(pool.setInPlace(1, std::vector<int>(4, 9)));
+  EXPECT_TRUE(pool.setInPlace(2, std::vector<int>(800, 8)));
+  EXPECT_EQ(rowsOf(pool), (Rows{{}, std::vector<int>(4, 9), std::vector<int>(800, 8)}));
+  EXPECT_TRUE(pool.setInPlace(1, {}));
+  EXPECT_TRUE(pool.setInPlace(1, std::vector<int>(4, 6)));
+  EXPECT_EQ(rowsOf(pool)[1], std::vector<int>(4, 6));
+}
+
 TEST(RowPool, HoldsWhatRowsWereGiven) {
   RandomStream random(5, 0, 0, RandomPurpose::packing);
   const auto below = [&](std::size_t limit) {

@@ -103,6 +103,17 @@ class RowPool {
     }
     std::ranges::copy(elements, (*this)[row].begin());
   }
+  /// The same where there is room for them and they leave no more than a row may have to spare; else nothing
+  /// is done and false returned. For several threads, each row by one.
+  bool setInPlace(std::size_t row, std::span<const T> elements) {
+    Row& place = rows_[row];
+    const std::size_t room = place.room();
+    if (elements.size() > room || room - elements.size() > mostSpare) return false;
+    place.count = static_cast<std::uint32_t>(elements.size());
+    place.spare = static_cast<std::uint32_t>(room - elements.size());
+    std::ranges::copy(elements, (*this)[row].begin());
+    return true;
+  }
   /// Appends an element to a row; where there is no room for it, the row gets room for `spare` more. Throws
   /// std::length_error for more elements than rows can tell apart.
   void append(std::size_t row, T element, std::uint32_t spare) {

@@ -202,21 +202,21 @@ bool RelaxingAgents::allSettled(double share) {
 
 void RelaxingAgents::retireSettled(double share) {
   if (!mayAnyoneSleep()) return;
-  std::size_t restless = 0;
-  for (std::size_t k = 0; k < awake_.size(); ++k) restless += !settled(awake_.now(k), share);
-  if (!areFew(restless)) return;
+  std::vector<std::uint8_t> isRestless(awake_.size());
+  forEachInChunks(awake_.size(), [&](std::size_t k) { isRestless[k] = !settled(awake_.now(k), share); });
+  const auto restless = static_cast<std::size_t>(std::ranges::count(isRestless, 1));
+  if (restless == awake_.size() || !areFew(restless)) return;
+  forEachInChunks(awake_.size(), [&](std::size_t k) {
+    if (isRestless[k]) return;
+    isAwake_[awake_.agents[k]] = 0;
+    forces_.place(awake_.agents[k], awake_.position(k));
+  });
   std::size_t left = 0;
   for (std::size_t k = 0; k < awake_.size(); ++k) {
-    const Index i = awake_.agents[k];
-    if (settled(awake_.now(k), share)) {
-      isAwake_[i] = 0;
-      forces_.place(i, awake_.position(k));
-    } else {
-      if (left != k) awake_.copy(left, k);
-      ++left;
-    }
+    if (!isRestless[k]) continue;
+    if (left != k) awake_.copy(left, k);
+    ++left;
   }
-  if (left == awake_.size()) return;
   awake_.resize(left);
   awake_.fillLanes();
   awake_.areRowsOf = false;

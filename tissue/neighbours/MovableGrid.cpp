@@ -23,30 +23,18 @@ void MovableGrid::fill() {
   }
 }
 
-void MovableGrid::place(Index i, const Vec3& point) {
-  const std::uint32_t cell = lattice_.cellOf(point);
-  const Entry entry{.place = scale_.of(point), .point = i};
+void MovableGrid::take(const Move& move) {
+  const Index i = move.entry.point;
   if (i == size()) {
     makeRoom(cell_, cell_.size() + 1);
-    cell_.push_back(cell);
-    add(entry, cell);
-  } else if (cell != cell_[i]) {
-    take(i);
-    cell_[i] = cell;
-    add(entry, cell);
+    cell_.push_back(move.cell);
   } else {
-    entryOf(i) = entry;
+    entryOf(i) = buckets_[cell_[i]].back();
+    buckets_.shorten(cell_[i], buckets_[cell_[i]].size() - 1);
+    cell_[i] = move.cell;
   }
-}
-
-void MovableGrid::add(const Entry& entry, std::uint32_t cell) {
   if (buckets_.wasteful()) buckets_.compact(spare);
-  buckets_.append(cell, entry, moreRoom);
-}
-
-void MovableGrid::take(Index i) {
-  entryOf(i) = buckets_[cell_[i]].back();
-  buckets_.shorten(cell_[i], buckets_[cell_[i]].size() - 1);
+  buckets_.append(move.cell, move.entry, moreRoom);
 }
 
 }  // namespace restenosis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "CellLattice.h"
@@ -27,8 +28,24 @@ class MovableGrid {
   }
 
   Index size() const { return static_cast<Index>(cell_.size()); }
-  /// Puts point i elsewhere; i = size() adds one.
-  void place(Index i, const Vec3& point);
+  /// Puts these points, in ascending order, where pointAt(i) is; those from size() on, without a gap, are
+  /// added.
+  template <class PointAt>
+  void place(std::span<const Index> points, const PointAt& pointAt) {
+    // Most stay in their cells: only the others are left to one thread.
+    const auto look = [&](std::size_t begin, std::size_t end, std::vector<Move>& moves) {
+      for (const Index i : points.subspan(begin, end - begin)) {
+        const Vec3& point = pointAt(i);
+        const Move move{.entry = {.place = scale_.of(point), .point = i}, .cell = lattice_.cellOf(point)};
+        if (i < size() && cell_[i] == move.cell) {
+          entryOf(i) = move.entry;
+        } else {
+          moves.push_back(move);
+        }
+      }
+    };
+    for (const Move& move : gatherPieces<Move>(points.size(), look)) take(move);
+  }
 
   /// Calls f(j) once for each point within `distance` of `point`, in no particular order. Others may be among
   /// them, so distances must be tested.
@@ -63,14 +80,18 @@ class MovableGrid {
     FixedPlace place;
     Index point;
   };
+  /// A point that comes into a cell.
+  struct Move {
+    Entry entry;
+    std::uint32_t cell;
+  };
   // Of a distance: by more than it is rounded.
   static constexpr double roundedReach = 1 + 1e-6;
 
   /// Puts every point into the bucket of its cell.
   void fill();
   Entry& entryOf(Index i) { return *std::ranges::find(buckets_[cell_[i]], i, &Entry::point); }
-  void add(const Entry& entry, std::uint32_t cell);
-  void take(Index i);
+  void take(const Move& move);
 
   CellLattice lattice_;
   FixedScale scale_;

@@ -28,9 +28,13 @@ constexpr std::uint32_t spareEntries = 8;
 // Agents of a piece whose rows are found by one thread: when all are, and when some are looked up, and then
 // how many are worth waking other threads for.
 constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 256;
+// Rows of a piece that are edited by one thread.
+constexpr std::ptrdiff_t editsOfPiece = 64;
 
-// No agent has this index.
-constexpr Index none = std::numeric_limits<Index>::max();
+struct Largest {
+  double value = 0;
+  void join(const Largest& other) { value = std::max(value, other.value); }
+};
 
 double widestFactor(const NeighbourRange& range) { return std::max(range.factor, range.daughterFactor); }
 
@@ -242,7 +246,7 @@ void NeighbourList::findInRange(std::span<const Index> agents, std::span<std::ve
   }
 }
 
-std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::vector<Index>& names) {
+std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, std::span<const Index> names) {
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
   if (!grid_) grid_.emplace(anchors_.size(), placesOf(anchors_), widestReach(range_, largestRadius_));
   const Index known = size();
@@ -250,55 +254,86 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, const std::ve
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
   stale_.resize(agents.size(), 0);
-  for (const Index i : names) {
+  const auto setAnchor = [&](std::size_t k, Largest& radius) {
+    const Index i = names[k];
     anchors_[i] = anchorOf(agents, i, range_);
-    largestRadius_ = std::max(largestRadius_, anchors_[i].radius());
-    grid_->place(i, anchors_[i].position);
+    radius.join({anchors_[i].radius()});
     stale_[i] = 1;
-  }
-  if (agents.size() > known) noteNames(agents, known);
-  std::vector<std::vector<Index>> found(names.size());
-  std::vector<std::vector<Edit>> editsOf(names.size());
-  const auto isNew = [known](Index i) { return i >= known; };
-  const auto lookAt = [&](std::size_t begin, std::size_t end) {
-    thread_local std::array<std::vector<Index>, lookUpsOfPiece> rows;
-    findInRange(std::span(names).subspan(begin, end - begin), rows);
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::vector<Index>& row = rows[k - begin];
-      editsOf[k] = difference(names[k], row);
-      if (!editsOf[k].empty() || isNew(names[k])) found[k] = row;
-    }
   };
-  forEachPiece(names.size(), lookAt, parallelFromLookUps, lookUpsOfPiece);
+  largestRadius_ = std::max(largestRadius_, reduceInChunks<Largest>(names.size(), setAnchor).value);
+  grid_->place(names, placesOf(anchors_));
+  if (agents.size() > known) noteNames(agents, known);
 
+  const Rows lookedUp = setRowsOf(names, known);
+  const Rows edited = setRowsBy(lookedUp.edits);
+  for (const Rows* rows : {&lookedUp, &edited})
+    for (const auto& [i, row] : rows->grown) rows_.set(i, row, spareEntries);
+  for (const Index i : names) stale_[i] = 0;
   std::vector<Index> changed;
-  std::vector<Edit> edits;  // of rows whose agents were not looked up themselves
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    stale_[names[k]] = 0;
-    if (editsOf[k].empty() && !isNew(names[k])) continue;
-    changed.push_back(names[k]);
-    rows_.set(names[k], found[k], spareEntries);
-    std::ranges::copy_if(editsOf[k], std::back_inserter(edits),
-                         [&](const Edit& edit) { return edit.row != none; });
+  std::ranges::merge(lookedUp.changed, edited.changed, std::back_inserter(changed));
+  return changed;
+}
+
+NeighbourList::Rows NeighbourList::setRowsOf(std::span<const Index> names, Index known) {
+  Rows rows = inPieces(names.size(), lookUpsOfPiece, [&](std::size_t begin, std::size_t end, Rows& part) {
+    const auto piece = names.subspan(begin, end - begin);
+    thread_local std::array<std::vector<Index>, lookUpsOfPiece> found;
+    findInRange(piece, found);
+    rows_.readAhead(piece);
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      if (noteDifference(piece[k], found[k], part.edits) || piece[k] >= known)
+        setRow(piece[k], found[k], part);
+  });
+  std::ranges::sort(rows.edits);
+  return rows;
+}
+
+NeighbourList::Rows NeighbourList::setRowsBy(std::span<const Edit> edits) {
+  std::vector<std::span<const Edit>> ofRows;
+  while (!edits.empty()) {
+    const auto isOther = [&](const Edit& edit) { return edit.row != edits.front().row; };
+    const auto end = std::ranges::find_if(edits, isOther);
+    ofRows.emplace_back(edits.begin(), end);
+    edits = {end, edits.end()};
   }
-  std::ranges::sort(edits);
-  std::vector<Index> edited, row;
-  for (std::size_t first = 0; first < edits.size();) {
-    std::size_t end = first;
-    while (end < edits.size() && edits[end].row == edits[first].row) ++end;
-    edited.push_back(edits[first].row);
-    apply(std::span(edits).subspan(first, end - first), row);
-    rows_.set(edits[first].row, row, spareEntries);
-    first = end;
-  }
-  std::vector<Index> all;
-  std::ranges::merge(edited, changed, std::back_inserter(all));
+  return inPieces(ofRows.size(), editsOfPiece, [&](std::size_t begin, std::size_t end, Rows& part) {
+    thread_local std::vector<Index> row;
+    for (const auto& ofRow : std::span(ofRows).subspan(begin, end - begin)) {
+      apply(ofRow, row);
+      setRow(ofRow.front().row, row, part);
+    }
+  });
+}
+
+template <class F>
+NeighbourList::Rows NeighbourList::inPieces(std::size_t count, std::ptrdiff_t size, const F& f) {
+  std::vector<Rows> parts((count + static_cast<std::size_t>(size) - 1) / static_cast<std::size_t>(size));
+  forEachPiece(
+      count,
+      [&](std::size_t begin, std::size_t end) {
+        Rows part;
+        f(begin, end, part);
+        parts[begin / static_cast<std::size_t>(size)] = std::move(part);
+      },
+      parallelFromLookUps, size);
+  Rows all;
+  const auto append = [](auto& to, auto& from) { std::ranges::move(from, std::back_inserter(to)); };
+  for (Rows& part : parts)
+    append(all.changed, part.changed), append(all.edits, part.edits), append(all.grown, part.grown);
   return all;
 }
 
-std::vector<NeighbourList::Edit> NeighbourList::difference(Index i, const std::vector<Index>& row) const {
-  std::vector<Edit> edits;
-  const auto note = [&](Index j) { edits.push_back({.row = stale_[j] ? none : j, .neighbour = i}); };
+void NeighbourList::setRow(Index i, const std::vector<Index>& row, Rows& rows) {
+  rows.changed.push_back(i);
+  if (!rows_.setInPlace(i, row)) rows.grown.emplace_back(i, row);
+}
+
+bool NeighbourList::noteDifference(Index i, const std::vector<Index>& row, std::vector<Edit>& edits) const {
+  bool any = false;
+  const auto note = [&](Index j) {
+    any = true;
+    if (!stale_[j]) edits.push_back({.row = j, .neighbour = i});
+  };
   auto before = of(i).begin();
   const auto end = of(i).end();
   for (const Index j : row) {
@@ -309,7 +344,7 @@ std::vector<NeighbourList::Edit> NeighbourList::difference(Index i, const std::v
       note(j);
   }
   for (; before != end; ++before) note(*before);
-  return edits;
+  return any;
 }
 
 void NeighbourList::apply(std::span<const Edit> edits, std::vector<Index>& row) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "AgentStore.h"
@@ -100,7 +101,7 @@ class NeighbourList {
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
   /// Looks up the agents `names`; returns whose rows changed, in ascending order.
-  std::vector<Index> lookUp(const AgentStore& agents, const std::vector<Index>& names);
+  std::vector<Index> lookUp(const AgentStore& agents, std::span<const Index> names);
   /// Makes found[k] the agents in range of the k-th of `agents`, in ascending order.
   void findInRange(std::span<const Index> agents, std::span<std::vector<Index>> found) const;
   /// A neighbour that a row gains, or loses if it has it.
@@ -108,9 +109,25 @@ class NeighbourList {
     Index row, neighbour;
     auto operator<=>(const Edit&) const = default;
   };
-  /// What `row`, agent i's neighbours now, has and has not of those listed, as edits of their rows; without
-  /// a row for those that are being looked up themselves.
-  std::vector<Edit> difference(Index i, const std::vector<Index>& row) const;
+  /// What is done to rows by several threads, and what is left to one of them.
+  struct Rows {
+    std::vector<Index> changed;                               ///< in ascending order
+    std::vector<Edit> edits;                                  ///< of other rows, not done yet, sorted
+    std::vector<std::pair<Index, std::vector<Index>>> grown;  ///< those without room, not set yet
+  };
+  /// Sets the rows of the agents `names`, of whom those from `known` on are new. The edits are of the rows of
+  /// agents that are not among them.
+  Rows setRowsOf(std::span<const Index> names, Index known);
+  /// Sets the rows that these sorted edits are of.
+  Rows setRowsBy(std::span<const Edit> edits);
+  /// What f(begin, end, rows) does to rows for pieces of `size` of `count` elements.
+  template <class F>
+  static Rows inPieces(std::size_t count, std::ptrdiff_t size, const F& f);
+  /// Sets the row of agent i, or notes that it has no room.
+  void setRow(Index i, const std::vector<Index>& row, Rows& rows);
+  /// Appends what `row`, agent i's neighbours now, has and has not of those listed, as edits of their rows,
+  /// but for those that are being looked up themselves; tells whether there is any difference.
+  bool noteDifference(Index i, const std::vector<Index>& row, std::vector<Edit>& edits) const;
   /// The row that these edits, all of one and sorted, make of the one listed.
   void apply(std::span<const Edit> edits, std::vector<Index>& row) const;
 
