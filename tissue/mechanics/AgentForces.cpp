@@ -302,7 +302,7 @@ void AgentForces::evaluate(MovingAgents& moving, const Look& look) {
   };
   spheres_.withPresent([&](const auto& spheres) {
     const auto loadsOf = [&](std::size_t begin, std::span<AgentLoad> loads) {
-      moving.pieceOf(begin).fetch();
+      moving.pieceOf(begin).fetch();  // for setForces and `look`
       field_.evaluate(spheres, moving.rows[begin / PairRows::most], moving.agentsFrom(begin), loads);
     };
     evaluatePieces(moving.agents, loadsOf, set);

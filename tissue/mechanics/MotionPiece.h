@@ -49,7 +49,7 @@ struct alignas(64) MotionPiece {
   void set(std::size_t k, const AgentMotion& agent);
   /// Makes the k-th what the m-th of a piece is.
   void copy(std::size_t k, const MotionPiece& from, std::size_t m);
-  /// Asks for all of it, which is in some twenty arrays. Speed only.
+  /// Asks for all of it, so that it comes while something else is computed. Speed only.
   void fetch() const {
     constexpr std::size_t line = 64;
     for (std::size_t at = 0; at < sizeof(MotionPiece); at += line)

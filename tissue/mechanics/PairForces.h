@@ -58,7 +58,7 @@ class PairForces {
   // far above underflow, in single precision too.
   static constexpr Real coincident = 1e-15F;
 
-  /// Asks for what the lanes from `first` on begin with.
+  /// Asks for the agents from `first` on that stand in the next lanes, and for their first partners.
   void fetchNext(const PairRows& rows, std::span<const Index> agents, std::size_t first) const {
     for (std::size_t n = first; n < std::min<std::size_t>(first + lanes, agents.size()); ++n)
       spheres_.fetchOne(agents[rows[n]]);
