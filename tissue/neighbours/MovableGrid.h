@@ -38,7 +38,7 @@ class MovableGrid {
         const Vec3& point = pointAt(i);
         const Move move{.entry = {.place = scale_.of(point), .point = i}, .cell = lattice_.cellOf(point)};
         if (i < size() && cell_[i] == move.cell) {
-          entryOf(i) = move.entry;
+          entryOf(i).place = move.entry.place;  // names are read by other threads
         } else {
           moves.push_back(move);
         }
