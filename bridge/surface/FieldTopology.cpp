@@ -80,7 +80,7 @@ void forEachRun(const LumenGrid& g, const Runs& runs, F&& f) {
 }
 
 /// Components of one sign; the others stay empty.
-std::vector<Component> survey(const LumenGrid& g, const Runs& runs, bool free, const GridField* strut) {
+std::vector<Component> survey(const LumenGrid& g, const Runs& runs, bool free, const BandField* strut) {
   std::vector<Component> components(runs.runs.size());
   forEachRun(g, runs, [&](const Run& r, std::size_t n, int j, int k) {
     if (r.free != free) return;
@@ -90,7 +90,7 @@ std::vector<Component> survey(const LumenGrid& g, const Runs& runs, bool free, c
     c.outlet = c.outlet || k == g.nz - 1;
     c.side = c.side || j == 0 || j == g.ny - 1 || r.first == 0 || r.last == g.nx - 1;
     if (strut && !c.strut)
-      for (int i = r.first; i <= r.last; ++i) c.strut = c.strut || strut->values[g.index(i, j, k)] < 0;
+      for (int i = r.first; i <= r.last; ++i) c.strut = c.strut || (*strut)(i, j, k) < 0;
   });
   return components;
 }
@@ -108,7 +108,7 @@ void flip(GridField& field, const Runs& runs, const std::vector<Component>& comp
 
 }  // namespace
 
-LumenTopology keepLumen(GridField& field, const GridField* strut) {
+LumenTopology keepLumen(GridField& field, const BandField* strut) {
   LumenTopology found;
   Runs spaces(field);
   spaces.joinAll(field.grid);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "BandField.h"
 #include "LumenGrid.h"
 
 namespace restenosis {
@@ -18,6 +19,6 @@ struct LumenTopology {
 /// the axes) that reaches both ends. Every other free node and every obstacle that neither reaches the
 /// grid's sides nor holds a node inside a strut (`strut` < 0; may be null) changes sign. Pieces that touch
 /// only diagonally count as separate. Nothing is changed when no component joins the ends.
-LumenTopology keepLumen(GridField& field, const GridField* strut);
+LumenTopology keepLumen(GridField& field, const BandField* strut);
 
 }  // namespace restenosis

@@ -58,13 +58,17 @@ void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double 
 
 }  // namespace
 
-LumenField::LumenField(GridField tissue, std::optional<GridField> strut, double jointWidth)
-    : lumen_(std::move(tissue)) {
+LumenField LumenField::fromDistances(GridField tissue, std::optional<GridField> strut, double jointWidth) {
+  std::optional<Parts> parts;
+  GridField& lumen = tissue;
   if (strut) {
-    parts_ = Parts{lumen_, std::move(*strut)};
-    uniteRounded(lumen_, parts_->strut, jointWidth);
+    BandField nearStruts(*strut);
+    parts = Parts{.tissue = BandField(tissue, nearStruts), .strut = std::move(nearStruts)};
+    uniteRounded(lumen, *strut, jointWidth);
+    strut.reset();
   }
-  topology_ = keepLumen(lumen_, parts_ ? &parts_->strut : nullptr);
+  const LumenTopology topology = keepLumen(lumen, parts ? &parts->strut : nullptr);
+  return {lumen, std::move(parts), topology};
 }
 
 LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const StrutSegment> struts,
@@ -89,7 +93,7 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
     strut = strutDistance(grid, struts, clip);
   else if (!obstacles.strut.empty())
     strut = sphereDistance(grid, std::move(obstacles.strut), clip);
-  return {std::move(tissue), std::move(strut), settings.jointWidth * h};
+  return fromDistances(std::move(tissue), std::move(strut), settings.jointWidth * h);
 }
 
 LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& distance, double length,
@@ -100,11 +104,12 @@ LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& di
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
         field.values[grid.index(i, j, k)] = static_cast<float>(distance(grid.node(i, j, k)));
-  return {std::move(field), std::nullopt, 0.0};
+  return fromDistances(std::move(field), std::nullopt, 0.0);
 }
 
 bool LumenField::isStrut(const Vec3& point) const {
-  return parts_ && std::abs(parts_->strut.at(point)) < std::abs(parts_->tissue.at(point));
+  return parts_ && !parts_->strut.evenAround(point) &&
+         std::abs(parts_->strut.at(point)) < std::abs(parts_->tissue.at(point));
 }
 
 }  // namespace restenosis

@@ -3,8 +3,10 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "AgentStore.h"
+#include "BandField.h"
 #include "DistanceField.h"
 #include "FieldTopology.h"
 
@@ -42,9 +44,9 @@ class LumenField {
   static LumenField fromFunction(const std::function<double(const Vec3&)>& distance, double length,
                                  double halfWidth, double resolution);
 
-  const LumenGrid& grid() const { return lumen_.grid; }
+  const LumenGrid& grid() const { return lumen_.grid(); }
   /// Distance to tissue and struts, positive in the lumen; clipped at some grid spacings.
-  const GridField& lumen() const { return lumen_; }
+  const BandField& lumen() const { return lumen_; }
   /// Whether a point on the surface belongs to a strut: is nearer to the struts' than to the tissue's
   /// surface.
   bool isStrut(const Vec3& point) const;
@@ -54,14 +56,15 @@ class LumenField {
   const LumenTopology& topology() const { return topology_; }
 
  private:
-  LumenField(GridField tissue, std::optional<GridField> strut, double jointWidth);
-
-  /// Distances to either, kept where there are struts.
+  /// Distances to either, kept where struts are near.
   struct Parts {
-    GridField tissue, strut;
+    BandField tissue, strut;
   };
+  LumenField(const GridField& lumen, std::optional<Parts> parts, const LumenTopology& topology)
+      : lumen_(lumen), parts_(std::move(parts)), topology_(topology) {}
+  static LumenField fromDistances(GridField tissue, std::optional<GridField> strut, double jointWidth);
 
-  GridField lumen_;
+  BandField lumen_;
   std::optional<Parts> parts_;
   LumenTopology topology_;
 };

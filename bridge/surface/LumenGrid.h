@@ -29,19 +29,12 @@ struct LumenGrid {
   std::size_t size() const { return static_cast<std::size_t>(nx) * ny * nz; }
 };
 
-/// One number a node of a grid, trilinear between nodes.
+/// One number a node of a grid.
 struct GridField {
   GridField(const LumenGrid& nodes, float value) : grid(nodes), values(nodes.size(), value) {}
 
   LumenGrid grid;
   std::vector<float> values;
-
-  /// Trilinear value at a point; a point beyond the grid takes the value of the nearest point on it.
-  double at(const Vec3& point) const;
-  /// The same, with the gradient of the trilinear function.
-  double at(const Vec3& point, Vec3& gradient) const;
-  /// Bilinear value within the plane of nodes k.
-  double inPlane(double x, double y, int k) const;
 };
 
 }  // namespace restenosis

@@ -9,7 +9,9 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "SurfaceRelaxation.h"
 
@@ -19,28 +21,74 @@ namespace {
 /// Far outside the lumen [m]: next to it, the isosurface comes to lie on the lumen's own node.
 constexpr float farOutside = -1.0F;
 
-/// The field as an image in node numbers, with one more plane before and behind. The outermost nodes are far
-/// outside, which closes the surface; at the ends the caps come to lie on the planes of nodes z = 0 and
-/// z = length.
-vtkNew<vtkImageData> paddedImage(const GridField& field, float clearance) {
-  const LumenGrid& g = field.grid;
+/// Nodes from the first to the last, along an axis.
+struct Extent {
+  int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
+  void join(int node) { first = std::min(first, node), last = std::max(last, node); }
+  void join(const Extent& other) { join(other.first), join(other.last); }
+  bool empty() const { return last < first; }
+  int count() const { return last - first + 1; }
+};
+
+/// The nodes in x and y beside which the field is above 0 in some plane; the lumen is narrower than the grid.
+std::array<Extent, 2> extentOfLumen(const BandField& field) {
+  const LumenGrid& g = field.grid();
+  std::vector<std::array<Extent, 2>> ofPlanes(g.nz);
+#pragma omp parallel
+  {
+    std::vector<float> row(g.nx);
+#pragma omp for schedule(static)
+    for (int k = 0; k < g.nz; ++k) {
+      std::array<Extent, 2> open;
+      for (int j = 0; j < g.ny; ++j) {
+        field.copyRow(j, k, row.data());
+        for (int i = 0; i < g.nx; ++i)
+          if (row[i] > 0) open[0].join(i), open[1].join(j);
+      }
+      ofPlanes[k] = open;
+    }
+  }
+  std::array<Extent, 2> all;
+  for (const auto& open : ofPlanes)
+    for (int axis = 0; axis < 2; ++axis)
+      if (!open[axis].empty()) all[axis].join(open[axis]);
+  for (int axis = 0; axis < 2; ++axis) {
+    const int nodes = axis == 0 ? g.nx : g.ny;
+    all[axis] = {std::max(all[axis].first - 1, 0), std::min(all[axis].last + 1, nodes - 1)};
+  }
+  return all;
+}
+
+/// The field around the lumen as an image in node numbers, with one more plane before and behind. The
+/// outermost nodes are far outside, which closes the surface; at the ends the caps come to lie on the planes
+/// of nodes z = 0 and z = length.
+vtkNew<vtkImageData> paddedImage(const BandField& field, float clearance) {
+  const LumenGrid& g = field.grid();
+  const auto [x, y] = extentOfLumen(field);
   vtkNew<vtkImageData> image;
-  image->SetDimensions(g.nx, g.ny, g.nz + 2);
+  image->SetExtent(x.first, x.last, y.first, y.last, 0, g.nz + 1);
+  const std::size_t plane = static_cast<std::size_t>(x.count()) * y.count();
   vtkNew<vtkFloatArray> array;
-  array->SetNumberOfTuples(static_cast<vtkIdType>(g.nx) * g.ny * (g.nz + 2));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(plane * (g.nz + 2)));
   float* values = array->GetPointer(0);
-  const std::size_t plane = static_cast<std::size_t>(g.nx) * g.ny;
   std::fill_n(values, plane, farOutside);
   std::fill_n(values + plane * (g.nz + 1), plane, farOutside);
-#pragma omp parallel for schedule(static)
-  for (int k = 0; k < g.nz; ++k)
-    for (int j = 0; j < g.ny; ++j)
-      for (int i = 0; i < g.nx; ++i) {
-        float v = field.values[g.index(i, j, k)];
-        if (std::abs(v) < clearance) v = v > 0 ? clearance : -clearance;
-        if (i == 0 || j == 0 || i == g.nx - 1 || j == g.ny - 1) v = std::min(v, -clearance);
-        values[plane * (k + 1) + static_cast<std::size_t>(j) * g.nx + i] = v;
+#pragma omp parallel
+  {
+    std::vector<float> row(g.nx);
+#pragma omp for schedule(static)
+    for (int k = 0; k < g.nz; ++k)
+      for (int j = y.first; j <= y.last; ++j) {
+        field.copyRow(j, k, row.data());
+        float* to = values + plane * (k + 1) + static_cast<std::size_t>(j - y.first) * x.count();
+        for (int i = x.first; i <= x.last; ++i) {
+          float v = row[i];
+          if (std::abs(v) < clearance) v = v > 0 ? clearance : -clearance;
+          if (i == 0 || j == 0 || i == g.nx - 1 || j == g.ny - 1) v = std::min(v, -clearance);
+          *to++ = v;
+        }
       }
+  }
   image->GetPointData()->SetScalars(array);
   return image;
 }

@@ -10,9 +10,9 @@ namespace restenosis {
 namespace {
 
 /// First root of the field along a ray of direction (c, s) in plane k, or `limit` if there is none.
-double castRay(const GridField& field, int k, double c, double s, double limit) {
+double castRay(const BandField& field, int k, double c, double s, double limit) {
   auto value = [&](double r) { return field.inPlane(r * c, r * s, k); };
-  const double least = 0.5 * field.grid.spacing;
+  const double least = 0.5 * field.grid().spacing;
   double before = 0, valueBefore = value(0);
   if (valueBefore <= 0) return 0;
   for (;;) {

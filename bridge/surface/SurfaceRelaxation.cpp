@@ -41,7 +41,7 @@ struct Neighbours {
 
 /// One or two Newton steps onto the isosurface along the gradient, within the plane if `planar`; no step is
 /// longer than half a spacing.
-Vec3 project(const GridField& field, Vec3 p, bool planar) {
+Vec3 project(const BandField& field, Vec3 p, bool planar) {
   for (int step = 0; step < 2; ++step) {
     Vec3 gradient;
     const double value = field.at(p, gradient);
@@ -49,7 +49,7 @@ Vec3 project(const GridField& field, Vec3 p, bool planar) {
     const double slope = gradient.squaredNorm();
     if (slope < 1e-4) break;
     Vec3 move = -value / slope * gradient;
-    const double longest = 0.5 * field.grid.spacing;
+    const double longest = 0.5 * field.grid().spacing;
     if (move.norm() > longest) move *= longest / move.norm();
     p += move;
   }
@@ -70,7 +70,7 @@ bool spoiled(const Vec3& before, const Vec3 (&p)[3]) {
 
 }  // namespace
 
-void relaxSurface(TriSurface& s, const GridField& field, int passes) {
+void relaxSurface(TriSurface& s, const BandField& field, int passes) {
   const Neighbours neighbours(s);
   std::vector<Vec3> moved(s.vertices.size());
   std::vector<std::uint8_t> undo(s.vertices.size());
@@ -91,9 +91,9 @@ void relaxSurface(TriSurface& s, const GridField& field, int passes) {
         p.z() = s.vertices[v].z();
       } else {
         // The clearance of wall vertices from the ends keeps the caps the only triangles in their plane.
-        const double clearance = 0.05 * field.grid.spacingZ;
+        const double clearance = 0.05 * field.grid().spacingZ;
         p.z() = std::clamp(p.z(), std::min(s.vertices[v].z(), clearance),
-                           std::max(s.vertices[v].z(), field.grid.length - clearance));
+                           std::max(s.vertices[v].z(), field.grid().length - clearance));
       }
       moved[v] = p;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "LumenGrid.h"
+#include "BandField.h"
 #include "TriSurface.h"
 
 namespace restenosis {
@@ -9,6 +9,6 @@ namespace restenosis {
 /// vertex moves half way to the mean of its neighbours and back onto the isosurface. Vertices of a cap stay
 /// in its plane, those on a rim follow their neighbours on the rim. A pass in which a triangle would turn
 /// over or degenerate is undone around that triangle.
-void relaxSurface(TriSurface& surface, const GridField& field, int passes);
+void relaxSurface(TriSurface& surface, const BandField& field, int passes);
 
 }  // namespace restenosis

@@ -41,7 +41,8 @@ TEST(FieldTopology, KeepsFloatingStruts) {
   Scenery s;
   s.set([](const Vec3& p) { return (p - Vec3(0, 1, 10)).norm() < 1.5; }, -1);
   s.strut.values[s.grid.index((s.grid.nx - 1) / 2, (s.grid.ny - 1) / 2 + 1, 10)] = -1;
-  const LumenTopology found = keepLumen(s.field, &s.strut);
+  const BandField strut(s.strut);
+  const LumenTopology found = keepLumen(s.field, &strut);
   EXPECT_EQ(found.floatingStruts, 1U);
   EXPECT_EQ(found.islands, 0U);
   EXPECT_LT(s.at(0, 1, 10), 0);
