@@ -108,11 +108,18 @@ GridField sphereDistance(const LumenGrid& g, std::vector<Ball> spheres, double c
   return field;
 }
 
-GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts, double clip) {
-  GridField field(g, static_cast<float>(clip));
+BandField sphereBand(const LumenGrid& g, std::vector<Ball> spheres, double clip) {
+  const PlaneLists lists(g, std::move(spheres), clip);
+  return BandField(g, [&](int k, float* plane) {
+    std::fill_n(plane, g.planeSize(), static_cast<float>(clip));
+    lists.lower(k, plane);
+  });
+}
+
+BandField strutBand(const LumenGrid& g, std::span<const StrutSegment> struts, double clip) {
   const std::vector<StrutDistance> distances(struts.begin(), struts.end());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < g.nz; ++k) {
+  return BandField(g, [&](int k, float* plane) {
+    std::fill_n(plane, g.planeSize(), static_cast<float>(clip));
     for (std::size_t n = 0; n < struts.size(); ++n) {
       const StrutSegment& s = struts[n];
       // No point of a segment is farther from its centreline than this.
@@ -123,13 +130,12 @@ GridField strutDistance(const LumenGrid& g, std::span<const StrutSegment> struts
       const Range rows(middle.y(), half.y() + reach, g.y(0), g.spacing, g.ny);
       const Range nodes(middle.x(), half.x() + reach, g.x(0), g.spacing, g.nx);
       for (int j = rows.first; j <= rows.last; ++j) {
-        float* row = field.values.data() + g.row(j, k);
+        float* row = plane + g.row(j, 0);
         for (int i = nodes.first; i <= nodes.last; ++i)
           row[i] = std::min(row[i], static_cast<float>(distances[n](g.node(i, j, k))));
       }
     }
-  }
-  return field;
+  });
 }
 
 void closeByBall(GridField& field, double probe, double clip) {
@@ -238,13 +244,23 @@ void blur(GridField& field, double sigma) {
   }
 }
 
-void uniteRounded(GridField& field, const GridField& other, double width) {
+void uniteRounded(GridField& field, const BandField& other, double width) {
+  const LumenGrid& g = field.grid;
   const auto w = static_cast<float>(width);
-#pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < field.values.size(); ++n) {
-    const float a = field.values[n], b = other.values[n];
-    const float overlap = std::max(0.0F, w - std::abs(a - b));
-    field.values[n] = std::min(a, b) - (w > 0 ? overlap * overlap / (4 * w) : 0.0F);
+#pragma omp parallel
+  {
+    std::vector<float> row(g.nx);
+#pragma omp for schedule(static)
+    for (int k = 0; k < g.nz; ++k)
+      for (int j = 0; j < g.ny; ++j) {
+        other.copyRow(j, k, row.data());
+        float* values = field.values.data() + g.row(j, k);
+        for (int i = 0; i < g.nx; ++i) {
+          const float a = values[i], b = row[i];
+          const float overlap = std::max(0.0F, w - std::abs(a - b));
+          values[i] = std::min(a, b) - (w > 0 ? overlap * overlap / (4 * w) : 0.0F);
+        }
+      }
   }
 }
 

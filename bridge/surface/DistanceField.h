@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "BandField.h"
 #include "LumenGrid.h"
 #include "Stent.h"
 
@@ -19,9 +20,11 @@ struct Ball {
 /// sphere. The vessel's ends are mirrors, so that a surface meets them at a right angle instead of flaring
 /// where the spheres end. The same bit for bit for any number of threads.
 GridField sphereDistance(const LumenGrid& grid, std::vector<Ball> spheres, double clip);
+/// The same for few spheres, far from which the field is even.
+BandField sphereBand(const LumenGrid& grid, std::vector<Ball> spheres, double clip);
 
 /// Signed distance [m] to the union of strut segments, positive outside them, clipped at `clip`.
-GridField strutDistance(const LumenGrid& grid, std::span<const StrutSegment> struts, double clip);
+BandField strutBand(const LumenGrid& grid, std::span<const StrutSegment> struts, double clip);
 
 /// Takes a distance field to obstacles (exact up to `probe` + one spacing) and makes it that to the obstacles
 /// closed by a rolling ball of radius `probe` [m]: the space the ball can sweep stays free, every gap it
@@ -38,6 +41,6 @@ void blur(GridField& field, double sigma);
 /// Minimum of two fields with the corner between them rounded: where they differ by less than `width`, up to
 /// width/4 below the minimum, so that slits narrower than width/2 between the two close. Elsewhere it is the
 /// exact minimum.
-void uniteRounded(GridField& field, const GridField& other, double width);
+void uniteRounded(GridField& field, const BandField& other, double width);
 
 }  // namespace restenosis

@@ -58,14 +58,12 @@ void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double 
 
 }  // namespace
 
-LumenField LumenField::fromDistances(GridField tissue, std::optional<GridField> strut, double jointWidth) {
+LumenField LumenField::fromDistances(GridField tissue, std::optional<BandField> strut, double jointWidth) {
   std::optional<Parts> parts;
   GridField& lumen = tissue;
   if (strut) {
-    BandField nearStruts(*strut);
-    parts = Parts{.tissue = BandField(tissue, nearStruts), .strut = std::move(nearStruts)};
-    uniteRounded(lumen, *strut, jointWidth);
-    strut.reset();
+    parts = Parts{.tissue = BandField(tissue, *strut), .strut = std::move(*strut)};
+    uniteRounded(lumen, parts->strut, jointWidth);
   }
   const LumenTopology topology = keepLumen(lumen, parts ? &parts->strut : nullptr);
   return {lumen, std::move(parts), topology};
@@ -88,11 +86,11 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
     closeByBall(tissue, settings.smoothing, clip);
     blur(tissue, settings.blurFraction * settings.smoothing);
   }
-  std::optional<GridField> strut;
+  std::optional<BandField> strut;
   if (!struts.empty())
-    strut = strutDistance(grid, struts, clip);
+    strut = strutBand(grid, struts, clip);
   else if (!obstacles.strut.empty())
-    strut = sphereDistance(grid, std::move(obstacles.strut), clip);
+    strut = sphereBand(grid, std::move(obstacles.strut), clip);
   return fromDistances(std::move(tissue), std::move(strut), settings.jointWidth * h);
 }
 

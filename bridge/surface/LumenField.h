@@ -62,7 +62,7 @@ class LumenField {
   };
   LumenField(const GridField& lumen, std::optional<Parts> parts, const LumenTopology& topology)
       : lumen_(lumen), parts_(std::move(parts)), topology_(topology) {}
-  static LumenField fromDistances(GridField tissue, std::optional<GridField> strut, double jointWidth);
+  static LumenField fromDistances(GridField tissue, std::optional<BandField> strut, double jointWidth);
 
   BandField lumen_;
   std::optional<Parts> parts_;

@@ -67,12 +67,23 @@ TEST(DistanceField, RoundedUnionIsTheMinimumAwayFromTheJoint) {
   const LumenGrid g(2, 1, 1);
   auto unite = [&](float a, float b) {
     GridField first(g, a);
-    uniteRounded(first, GridField(g, b), 4.0);
+    uniteRounded(first, BandField(GridField(g, b)), 4.0);
     return first.values[0];
   };
   EXPECT_EQ(unite(1, 6), 1);
   EXPECT_EQ(unite(9, -2), -2);
   EXPECT_FLOAT_EQ(unite(1, 1), 0);  // a quarter of the width below: a slit of half the width closes
+}
+
+TEST(DistanceField, OfFewSpheresIsTheSameWhereOnlyABandIsKept) {
+  const LumenGrid g(400 * um, 200 * um, 10 * um);
+  const std::vector<Ball> balls{{{0, 0, 100 * um}, 25 * um}, {{150 * um, 20 * um, 380 * um}, 15 * um}};
+  const GridField whole = sphereDistance(g, balls, 30 * um);
+  const BandField band = sphereBand(g, balls, 30 * um);
+  for (int k = 0; k < g.nz; ++k)
+    for (int j = 0; j < g.ny; ++j)
+      for (int i = 0; i < g.nx; ++i) ASSERT_EQ(band(i, j, k), whole.values[g.index(i, j, k)]);
+  EXPECT_LT(band.kept(), g.size() / 4);
 }
 
 TEST(DistanceField, DoesNotDependOnThreads) {
