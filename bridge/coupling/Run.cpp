@@ -182,19 +182,7 @@ void Run::prepareWall() {
 void Run::deploy() {
   if (scene_.stent) {
     auto measurement = world_.timer.measure("deploy");
-    Deployment deployment(world_.wall, makeStent(*scene_.stent, scene_.vessel), *scene_.stent, scene_.vessel,
-                          *scene_.mechanics, deploymentSteps_);
-    while (!deployment.done()) {
-      deployment.step();
-      deploymentSteps_ = deployment.stepsDone();
-      world_.progress.stage("deployment", deploymentSteps_, deployment.steps());
-      stopIfAsked();
-      checkpointWhenDue(false);
-    }
-    world_.stent = deployment.stent();
-    world_.deployment = deployment.statistics();
-    remark(remarkOnEscaped(*world_.deployment, deployment.steps()));
-    requireWallOutsideStruts(*world_.deployment, deployment.steps());
+    deployStent();
     if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
       world_.remarks.push_back(
           fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "
@@ -203,6 +191,23 @@ void Run::deploy() {
                       pressed, world_.wall.agents.size()));
   }
   startGrowth();
+}
+
+void Run::deployStent() {
+  Deployment deployment(world_.wall, makeStent(*scene_.stent, scene_.vessel), *scene_.stent, scene_.vessel,
+                        *scene_.mechanics, deploymentSteps_);
+  while (!deployment.done()) {
+    deployment.step();
+    deploymentSteps_ = deployment.stepsDone();
+    world_.progress.stage("deployment", deploymentSteps_, deployment.steps());
+    stopIfAsked();
+    checkpointWhenDue(false);
+  }
+  world_.wall.lastMove = std::vector<double>();
+  world_.stent = deployment.stent();
+  world_.deployment = deployment.statistics();
+  remark(remarkOnEscaped(*world_.deployment, deployment.steps()));
+  requireWallOutsideStruts(*world_.deployment, deployment.steps());
 }
 
 void Run::remark(const std::string& text) {
@@ -226,7 +231,6 @@ void Run::startGrowth() {
     if (scene_.injury) injureWall();
     world_.confinement = OuterConfinement(agents, scene_.vessel.cellRadius);
     world_.changes.touch(Quantity::cellStates);
-    world_.wall.lastMove = std::vector<double>();
   }
   if (const std::string turbulent = turbulenceForecast(scene_); !turbulent.empty())
     world_.remarks.push_back(fmt::format("the flow {}", turbulent));

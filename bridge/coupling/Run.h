@@ -57,6 +57,7 @@ class Run {
   Wall initialWall() const;
   void prepareWall();
   void deploy();
+  void deployStent();
   /// Adds a remark, if there is one, and says it.
   void remark(const std::string& text);
   void injureWall();

@@ -34,6 +34,14 @@ TEST(RowPool, LaysRowsOutAsLongAsTheyAreTold) {
   EXPECT_FALSE(pool.wasteful());
 }
 
+TEST(RowPool, TakesRowsOneAfterTheOther) {
+  RowPool<int> pool = longAndShort();
+  pool.addRow(std::vector<int>{7, 8});
+  pool.addRow({});
+  EXPECT_EQ(rowsOf(pool), (Rows{{}, {1}, std::vector<int>(1000, 2), {7, 8}, {}}));
+  EXPECT_FALSE(pool.wasteful());
+}
+
 TEST(RowPool, GivesRowsRoomWithoutChangingThem) {
   RowPool<int> pool = longAndShort();
   const Rows before = rowsOf(pool);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "PlainArray.h"
 #include "ReadAhead.h"
 #include "Room.h"
 
@@ -73,9 +74,18 @@ class RowPool {
       rows_[k] = rowAt(end, count, spareOf(k));
       end += rows_[k].room();
     }
-    if (end > elements_.capacity()) elements_ = {};  // what it holds need not be copied
+    elements_ = {};  // what it holds need not be copied
     makeRoom(elements_, end);
     elements_.resize(end);
+    for (const Row& row : rows_) clearSpare(row);
+  }
+  /// Makes room for so many rows.
+  void reserve(std::size_t rows) { rows_.reserve(rows); }
+  /// Appends a row of these elements, without room for more. Throws as append() does.
+  void addRow(std::span<const T> elements) {
+    resize(size() + 1);
+    move(size() - 1, elements.size(), 0);
+    std::ranges::copy(elements, (*this)[size() - 1].begin());
   }
   /// Moves the rows together, each with room for `spare` more elements if it has any.
   void compact(std::uint32_t spare = 0) {
@@ -167,11 +177,16 @@ class RowPool {
     const Row place = rowAt(elements_.size(), count, spare);
     makeRoom(elements_, elements_.size() + place.room());
     elements_.resize(elements_.size() + place.room());
+    clearSpare(place);
     abandoned_ += rows_[row].room();
     rows_[row] = place;
   }
+  /// So that the elements of every row, and with them an archive, are what was done to it.
+  void clearSpare(const Row& row) {
+    std::fill_n(elements_.data() + row.start + row.count, std::size_t{row.spare}, T{});
+  }
 
-  std::vector<T> elements_;
+  PlainArray<T> elements_;
   std::vector<Row> rows_;
   std::size_t abandoned_ = 0;  ///< of elements_, that belong to no row; speed and memory only
 };

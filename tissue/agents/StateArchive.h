@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "PlainArray.h"
+
 namespace restenosis {
 
 /// Thrown when a stored state is shorter than what is read from it.
@@ -43,12 +45,21 @@ class StateArchive {
   }
   template <class T>
   void pass(std::vector<T>& values) {
-    values.resize(passSize(values.size()));
     if constexpr (std::is_trivially_copyable_v<T> && !requires(T t) { t.archive(self()); }) {
-      self().bytes(values.data(), values.size() * sizeof(T));
+      passBytes(values);
     } else {
+      values.resize(passSize(values.size()));
       for (auto& value : values) pass(value);
     }
+  }
+  template <class T>
+  void pass(PlainArray<T>& values) {
+    passBytes(values);
+  }
+  template <class Array>
+  void passBytes(Array& values) {
+    values.resize(passSize(values.size()));
+    self().bytes(values.data(), values.size() * sizeof(*values.data()));
   }
   void pass(std::string& text) {
     text.resize(passSize(text.size()));

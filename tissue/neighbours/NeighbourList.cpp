@@ -28,6 +28,8 @@ constexpr std::uint32_t spareEntries = 8;
 // Agents of a piece whose rows are found by one thread: when all are, and when some are looked up, and then
 // how many are worth waking other threads for.
 constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 256;
+// Pieces of which all rows are found before any of them is laid beside the others.
+constexpr std::size_t piecesAtOnce = 128;
 // Rows of a piece that are edited by one thread.
 constexpr std::ptrdiff_t editsOfPiece = 64;
 
@@ -140,36 +142,42 @@ NeighbourList::Anchor NeighbourList::anchorOf(const AgentStore& agents, Index i,
 
 void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range) {
   range_ = range;
-  RowPool<Index> rows = std::exchange(rows_, {});  // should a position be found wrong below, there is no list
+  rows_ = {};  // should a position be found wrong below, there is no list
   grid_.reset();
   anchors_.resize(agents.size());
   for (Index i = 0; i < agents.size(); ++i) anchors_[i] = anchorOf(agents, i, range);
   largestRadius_ = 0;
   for (const Anchor& anchor : anchors_) largestRadius_ = std::max(largestRadius_, anchor.radius());
   noteNames(agents, 0);
-  const SearchOfAll searchOfAll(anchors_, range, largestRadius_);
 
-  const std::size_t count = anchors_.size();
-  std::vector<std::vector<Index>> parts((count + agentsOfPiece - 1) / agentsOfPiece);
-  std::vector<std::uint32_t> lengths(count);
-  const auto search = [&](std::size_t begin, std::size_t end) {
-    thread_local std::vector<Index> found;
-    found.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t first = found.size();
-      searchOfAll.append(static_cast<Index>(i), anchors_[i], found);
-      lengths[i] = static_cast<std::uint32_t>(found.size() - first);
-    }
-    parts[begin / agentsOfPiece] = found;
+  const SearchOfAll searchOfAll(anchors_, range, largestRadius_);
+  struct Piece {
+    std::vector<Index> found;
+    std::vector<std::uint32_t> lengths;
   };
-  forEachPiece(count, search, agentsOfPiece, agentsOfPiece);
-  rows.layOut(count, [&](std::size_t i) { return lengths[i]; });
-  forEachPiece(
-      count,
-      [&](std::size_t begin, std::size_t) {
-        std::ranges::copy(parts[begin / agentsOfPiece], rows[begin].data());
-      },
-      agentsOfPiece, agentsOfPiece);
+  std::vector<Piece> pieces(piecesAtOnce);
+  RowPool<Index> rows;
+  rows.reserve(anchors_.size());
+  for (std::size_t first = 0; first < anchors_.size(); first += piecesAtOnce * agentsOfPiece) {
+    const std::size_t count = std::min(anchors_.size() - first, piecesAtOnce * agentsOfPiece);
+    const auto search = [&](std::size_t begin, std::size_t end) {
+      Piece& piece = pieces[begin / agentsOfPiece];
+      piece.found.clear(), piece.lengths.clear();
+      for (std::size_t i = first + begin; i < first + end; ++i) {
+        const std::size_t before = piece.found.size();
+        searchOfAll.append(static_cast<Index>(i), anchors_[i], piece.found);
+        piece.lengths.push_back(static_cast<std::uint32_t>(piece.found.size() - before));
+      }
+    };
+    forEachPiece(count, search, agentsOfPiece, agentsOfPiece);
+    for (std::size_t begin = 0; begin < count; begin += agentsOfPiece) {
+      std::span<const Index> found(pieces[begin / agentsOfPiece].found);
+      for (const std::uint32_t length : pieces[begin / agentsOfPiece].lengths) {
+        rows.addRow(found.first(length));
+        found = found.subspan(length);
+      }
+    }
+  }
   rows_ = std::move(rows);
 }
 

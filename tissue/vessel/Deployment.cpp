@@ -61,9 +61,6 @@ void Deployment::placeStent() {
 
 RelaxationReport Deployment::step() {
   ++stepsDone_;
-  const AgentStore& agents = wall_.agents;
-  std::vector<Vec3> before(agents.size());
-  for (Index i = 0; i < agents.size(); ++i) before[i] = agents.position(i);
   continueLastMove();
   placeStent();
   const EndPlanes ends(wall_.length);
@@ -72,22 +69,27 @@ RelaxationReport Deployment::step() {
   RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
   while (breakStrainedBonds(wall_.agents, wall_.bonds, bondStrainLimit_) > 0)
     report.goOnWith(relaxation_.relax(wall_.agents, wall_.bonds, constraints));
-  wall_.lastMove.resize(3 * before.size());
-  for (Index i = 0; i < agents.size(); ++i) {
-    const Vec3 move = agents.position(i) - before[i];
-    std::ranges::copy(move, wall_.lastMove.begin() + 3 * i);
+  for (Index i = 0; i < wall_.agents.size(); ++i) {
+    const Vec3 move = wall_.agents.position(i) - lastMoveOf(i);
+    std::ranges::copy(move, wall_.lastMove.begin() + 3 * static_cast<std::ptrdiff_t>(i));
   }
   return report;
 }
 
+Vec3 Deployment::lastMoveOf(Index i) const { return Vec3::Map(&wall_.lastMove[3 * std::size_t{i}]); }
+
 void Deployment::continueLastMove() {
   // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has
   // only the difference to find. Where that is does not change; how soon it is found does.
-  if (wall_.lastMove.size() != 3 * static_cast<std::size_t>(wall_.agents.size())) return;
-  for (Index i = 0; i < wall_.agents.size(); ++i) {
-    if (wall_.agents.kind[i] == AgentKind::strut || wall_.agents.has(i, fixed)) continue;
-    const double* move = &wall_.lastMove[3 * i];
-    wall_.agents.setPosition(i, wall_.agents.position(i) + Vec3(move[0], move[1], move[2]));
+  AgentStore& agents = wall_.agents;
+  const bool known = wall_.lastMove.size() == 3 * std::size_t{agents.size()};
+  wall_.lastMove.resize(3 * std::size_t{agents.size()});
+  for (Index i = 0; i < agents.size(); ++i) {
+    const Vec3 before = agents.position(i);
+    if (known && agents.kind[i] != AgentKind::strut && !agents.has(i, fixed))
+      agents.setPosition(i, before + lastMoveOf(i));
+    // Where it began, until the step is over: the same memory does.
+    std::ranges::copy(before, wall_.lastMove.begin() + 3 * static_cast<std::ptrdiff_t>(i));
   }
 }
 

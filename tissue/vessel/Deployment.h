@@ -46,7 +46,10 @@ class Deployment {
   void attachStruts();
   void fixAgents(const StentParameters& parameters, const VesselParameters& vessel);
   void placeStent();
+  /// Moves the agents as the last step did; from then until the end of the step Wall::lastMove is where each
+  /// agent was before.
   void continueLastMove();
+  Vec3 lastMoveOf(Index i) const;
 
   Wall& wall_;
   Stent undeployed_, stent_;
