@@ -69,6 +69,26 @@ TEST(MovableGrid, LeavesOutThoseTooFarInCellsThatAreNear) {
   EXPECT_EQ(near(), (std::set<Index>{0, 1, 2}));
 }
 
+TEST(MovableGrid, FindsPointsHoweverFarFromAllOthers) {
+  RandomStream random(4, 0, 0, RandomPurpose::packing);
+  std::vector<Vec3> points(200);
+  for (Vec3& point : points) point = Vec3(random.uniform(), random.uniform(), random.uniform());
+  for (const double x : {30.0, -1e7, 1e12, 1e200}) {
+    points.emplace_back(x, -x, 2 * x);
+    points.emplace_back(x + 0.05, -x, 2 * x);
+  }
+  MovableGrid grid(
+      points.size(), [&](std::size_t k) { return points[k]; }, 0.1);
+  for (const double distance : {0.01, 0.12, 1e3}) expectComplete(grid, points, distance);
+  std::vector<Index> last;
+  for (auto i = static_cast<Index>(points.size() - 8); i < points.size(); ++i) {
+    points[i] += Vec3(0.01, 0.2, 0);
+    last.push_back(i);
+  }
+  grid.place(last, [&](Index i) -> const Vec3& { return points[i]; });
+  for (const double distance : {0.01, 0.12, 1e3}) expectComplete(grid, points, distance);
+}
+
 TEST(MovableGrid, BeginsWithoutPoints) {
   MovableGrid grid(0, noPoint, 0.1);
   place(grid, 0, Vec3(5, 5, 5));

@@ -39,13 +39,4 @@ class FixedScale {
   double perUnit_;
 };
 
-/// Square of the distance of two places, or of less if they are farther apart than a scale can tell [units2].
-inline float squaredDistance(const FixedPlace& a, const FixedPlace& b) {
-  const auto component = [](std::uint32_t from, std::uint32_t to) {
-    return static_cast<float>(static_cast<std::int32_t>(to - from));
-  };
-  const float x = component(a.x, b.x), y = component(a.y, b.y), z = component(a.z, b.z);
-  return x * x + y * y + z * z;
-}
-
 }  // namespace restenosis

@@ -42,7 +42,9 @@ class CellGrid {
   template <class F>
   void forEachCandidateRange(const Vec3& point, double distance, F&& f) const {
     lattice_.forEachRow(point, distance,
-                        [&](std::int64_t begin, std::int64_t end) { f(start_[begin], start_[end]); });
+                        [&](std::int64_t begin, std::int64_t end, const CellLattice::Offset&) {
+                          f(start_[begin], start_[end]);
+                        });
   }
 
   /// All agents, cell by cell.

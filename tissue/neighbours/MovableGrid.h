@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "CellLattice.h"
 #include "Chunks.h"
-#include "FixedScale.h"
+#include "PackedPlace.h"
 #include "RowPool.h"
 
 namespace restenosis {
@@ -20,11 +21,11 @@ class MovableGrid {
   /// `count` points, pointAt(k) the k-th of them, all finite; `cellSize` > 0 [m].
   template <class PointAt>
   MovableGrid(std::size_t count, const PointAt& pointAt, double cellSize)
-      : lattice_(count, pointAt, cellSize), scale_(cellSize), cell_(count) {
+      : lattice_(count, pointAt, cellSize), cell_(count) {
     forEachInChunks(count, [&](std::size_t k) { cell_[k] = lattice_.cellOf(pointAt(k)); });
     fill();
     forEachInChunks(count,
-                    [&](std::size_t k) { entryOf(static_cast<Index>(k)).place = scale_.of(pointAt(k)); });
+                    [&](std::size_t k) { entryOf(static_cast<Index>(k)).place = placeOf(pointAt(k)); });
   }
 
   Index size() const { return static_cast<Index>(cell_.size()); }
@@ -36,7 +37,7 @@ class MovableGrid {
     const auto look = [&](std::size_t begin, std::size_t end, std::vector<Move>& moves) {
       for (const Index i : points.subspan(begin, end - begin)) {
         const Vec3& point = pointAt(i);
-        const Move move{.entry = {.place = scale_.of(point), .point = i}, .cell = lattice_.cellOf(point)};
+        const Move move{.entry = {.place = placeOf(point), .point = i}, .cell = lattice_.cellOf(point)};
         if (i < size() && cell_[i] == move.cell) {
           entryOf(i).place = move.entry.place;  // names are read by other threads
         } else {
@@ -51,25 +52,29 @@ class MovableGrid {
   /// them, so distances must be tested.
   template <class F>
   void forEachCandidate(const Vec3& point, double distance, F&& f) const {
-    const FixedPlace here = scale_.of(point);
-    const float reach = static_cast<float>(roundedReach * (distance / scale_.unit() + 2));
-    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t cell = begin; cell < end; ++cell) {
-        for (const Entry& entry : buckets_[static_cast<std::size_t>(cell)]) {
-          if (squaredDistance(here, entry.place) <= reach * reach) f(entry.point);
-        }
-      }
-    });
+    const CellLattice::InCell here = lattice_.inCell(point);
+    const auto reach = static_cast<float>(
+        roundedReach * (distance / lattice_.cellSize() * CellLattice::InCell::most + PackedPlace::error));
+    lattice_.forEachRow(
+        point, distance, [&](std::int64_t begin, std::int64_t end, const CellLattice::Offset& offset) {
+          const float limit = offset.known ? reach * reach : std::numeric_limits<float>::infinity();
+          PackedPlace::From from(here, offset);
+          for (std::int64_t cell = begin; cell < end; ++cell, from.nextCell()) {
+            for (const Entry& entry : buckets_[static_cast<std::size_t>(cell)]) {
+              if (from.squaredDistance(entry.place) <= limit || !entry.place.known()) f(entry.point);
+            }
+          }
+        });
   }
 
   /// Brings into the cache what the same search reads: first readRoomsAhead(), then readAhead(). Speed only.
   void readRoomsAhead(const Vec3& point, double distance) const {
-    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t) {
+    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t, const auto&) {
       buckets_.readRoomAhead(static_cast<std::size_t>(begin));
     });
   }
   void readAhead(const Vec3& point, double distance) const {
-    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end) {
+    lattice_.forEachRow(point, distance, [&](std::int64_t begin, std::int64_t end, const auto&) {
       for (std::int64_t cell = begin; cell < end; ++cell) buckets_.readAhead(static_cast<std::size_t>(cell));
     });
   }
@@ -77,7 +82,7 @@ class MovableGrid {
  private:
   /// A point, and where it is, so that a search need not look that up for the many that are too far.
   struct Entry {
-    FixedPlace place;
+    PackedPlace place;
     Index point;
   };
   /// A point that comes into a cell.
@@ -90,11 +95,11 @@ class MovableGrid {
 
   /// Puts every point into the bucket of its cell.
   void fill();
+  PackedPlace placeOf(const Vec3& point) const { return PackedPlace(lattice_.inCell(point)); }
   Entry& entryOf(Index i) { return *std::ranges::find(buckets_[cell_[i]], i, &Entry::point); }
   void take(const Move& move);
 
   CellLattice lattice_;
-  FixedScale scale_;
   std::vector<std::uint32_t> cell_;  ///< of each point
   RowPool<Entry> buckets_;           ///< the points of each cell
 };
