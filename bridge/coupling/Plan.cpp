@@ -23,9 +23,9 @@ constexpr double day = secondsPerDay;
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
-  double programBytes = 5e7;
+  double programBytes = 4e7;
   double bytesPerAgent = 450;  ///< state, bonds, neighbour lists, output buffers
-  double bytesPerNode = 17;    ///< of the distance field that the lumen is taken from, with all made of it
+  double bytesPerNode = 7;     ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
   double deploySecondsPerStep = 3e-6;  ///< per agent
   double growSecondsPerStep = 1.5e-6;  ///< per agent
