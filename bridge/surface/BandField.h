@@ -12,7 +12,8 @@ namespace restenosis {
 
 /// A field that is the same everywhere but in a band, as a distance that is clipped: trilinear between the
 /// nodes of a grid, which are kept in blocks, and of a block where all are equal only that value is. Bit for
-/// bit what the whole field would give, for a sixth of its memory where it is that of a vessel's lumen.
+/// bit what the whole field would give. Of a stented vessel's lumen, struts and tissue around them a quarter
+/// is kept.
 class BandField {
  public:
   /// Sets the values at the nodes of plane k, row by row, each grid.nx long.

@@ -36,20 +36,22 @@ TEST(BandField, InterpolatesTrilinearFunctionsExactly) {
 }
 
 TEST(BandField, HasTheValuesOfTheWholeFieldAtEveryNode) {
-  const LumenGrid g(21, 22, 1);  // neither a whole number of blocks
-  const GridField whole = fieldOf(g, clippedDistance);
-  const BandField field(whole);
-  std::vector<float> row(g.nx);
-  for (int k = 0; k < g.nz; ++k)
-    for (int j = 0; j < g.ny; ++j) {
-      field.copyRow(j, k, row.data());
-      for (int i = 0; i < g.nx; ++i) {
-        ASSERT_EQ(field(i, j, k), whole.values[g.index(i, j, k)]);
-        ASSERT_EQ(row[i], field(i, j, k));
-        ASSERT_NEAR(field.at(g.node(i, j, k)), row[i], 1e-6);
-        ASSERT_NEAR(field.inPlane(g.x(i), g.y(j), k), row[i], 1e-6);
+  // Sides that are a whole number of blocks, and others
+  for (const LumenGrid& g : {LumenGrid(40, 20, 1), LumenGrid(21, 22, 1)}) {
+    const GridField whole = fieldOf(g, clippedDistance);
+    const BandField field(whole);
+    std::vector<float> row(g.nx);
+    for (int k = 0; k < g.nz; ++k)
+      for (int j = 0; j < g.ny; ++j) {
+        field.copyRow(j, k, row.data());
+        for (int i = 0; i < g.nx; ++i) {
+          ASSERT_EQ(field(i, j, k), whole.values[g.index(i, j, k)]);
+          ASSERT_EQ(row[i], field(i, j, k));
+          ASSERT_NEAR(field.at(g.node(i, j, k)), row[i], 1e-6);
+          ASSERT_NEAR(field.inPlane(g.x(i), g.y(j), k), row[i], 1e-6);
+        }
       }
-    }
+  }
 }
 
 TEST(BandField, KeepsOnlyBlocksThatAreNotEven) {

@@ -4,13 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "BondTurnover.h"
 #include "EndPlanes.h"
 #include "OuterConfinement.h"
 
 namespace restenosis {
+namespace {
+
+/// The three numbers of agent i.
+std::span<double> vectorOf(std::vector<double>& values, Index i) {
+  return std::span(values).subspan(3 * std::size_t{i}, 3);
+}
+
+}  // namespace
 
 Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameters,
                        const VesselParameters& vessel, const MechanicsParameters& mechanics, int stepsDone)
@@ -61,7 +71,8 @@ void Deployment::placeStent() {
 
 RelaxationReport Deployment::step() {
   ++stepsDone_;
-  continueLastMove();
+  const AgentStore& agents = wall_.agents;
+  std::vector<double> moves = continueLastMove();
   placeStent();
   const EndPlanes ends(wall_.length);
   const OuterConfinement outside(wall_.agents, wall_.cellRadius);
@@ -69,28 +80,30 @@ RelaxationReport Deployment::step() {
   RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
   while (breakStrainedBonds(wall_.agents, wall_.bonds, bondStrainLimit_) > 0)
     report.goOnWith(relaxation_.relax(wall_.agents, wall_.bonds, constraints));
-  for (Index i = 0; i < wall_.agents.size(); ++i) {
-    const Vec3 move = wall_.agents.position(i) - lastMoveOf(i);
-    std::ranges::copy(move, wall_.lastMove.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+  for (Index i = 0; i < agents.size(); ++i) {
+    const auto ofAgent = vectorOf(moves, i);
+    const Vec3 move = agents.position(i) - Vec3::Map(ofAgent.data());
+    std::ranges::copy(move, ofAgent.begin());
   }
+  wall_.lastMove = std::move(moves);
   return report;
 }
 
-Vec3 Deployment::lastMoveOf(Index i) const { return Vec3::Map(&wall_.lastMove[3 * std::size_t{i}]); }
-
-void Deployment::continueLastMove() {
+std::vector<double> Deployment::continueLastMove() {
   // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has
   // only the difference to find. Where that is does not change; how soon it is found does.
   AgentStore& agents = wall_.agents;
-  const bool known = wall_.lastMove.size() == 3 * std::size_t{agents.size()};
-  wall_.lastMove.resize(3 * std::size_t{agents.size()});
+  std::vector<double> values = std::exchange(wall_.lastMove, {});
+  const bool known = values.size() == 3 * std::size_t{agents.size()};
+  values.resize(3 * std::size_t{agents.size()});
   for (Index i = 0; i < agents.size(); ++i) {
+    const auto ofAgent = vectorOf(values, i);
     const Vec3 before = agents.position(i);
     if (known && agents.kind[i] != AgentKind::strut && !agents.has(i, fixed))
-      agents.setPosition(i, before + lastMoveOf(i));
-    // Where it began, until the step is over: the same memory does.
-    std::ranges::copy(before, wall_.lastMove.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+      agents.setPosition(i, before + Vec3::Map(ofAgent.data()));
+    std::ranges::copy(before, ofAgent.begin());
   }
+  return values;
 }
 
 void Deployment::run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress) {

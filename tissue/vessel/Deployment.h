@@ -46,10 +46,9 @@ class Deployment {
   void attachStruts();
   void fixAgents(const StentParameters& parameters, const VesselParameters& vessel);
   void placeStent();
-  /// Moves the agents as the last step did; from then until the end of the step Wall::lastMove is where each
-  /// agent was before.
-  void continueLastMove();
-  Vec3 lastMoveOf(Index i) const;
+  /// Moves the agents as the last step did. Returns where they were before, x, y, z by agent [m], in the
+  /// memory of Wall::lastMove, which is empty until the step is over.
+  std::vector<double> continueLastMove();
 
   Wall& wall_;
   Stent undeployed_, stent_;
