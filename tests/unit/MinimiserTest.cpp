@@ -76,6 +76,24 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
   }
 }
 
+TEST(Minimiser, NearRestSetsOutFasterAndFindsTheBottomToo) {
+  const MechanicsParameters p = minimisedBy("fire");
+  const auto firstMove = [](Minimiser& minimiser) {
+    Spring spring;
+    spring.position *= 1e-3;
+    spring.piece->setForce(0, -spring.position);
+    return spring.step(minimiser).norm();
+  };
+  const auto careful = makeMinimiser(p), near = makeMinimiser(p), whole = makeMinimiser(p);
+  near->setOutNearRest(), whole->setOutNearRest();
+  // By the square of the time step
+  EXPECT_NEAR(firstMove(*near) / firstMove(*careful), std::pow(1.35 / 0.4, 2), 1e-5);
+  Spring spring;
+  const double longest = spring.relax(*whole, 300);
+  EXPECT_LT(spring.position.norm(), 1e-6);
+  EXPECT_LE(longest, p.stepLimit * (1 + 1e-12));
+}
+
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;

@@ -290,6 +290,76 @@ TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
   EXPECT_LT(left[left.size() / 2], 0.1 * p.tolerance);
 }
 
+/// Agents with these flags, at rest, of whom one has grown then.
+Block disturbedBlock(std::uint8_t flags) {
+  Block block(16, false);
+  for (std::uint8_t& of : block.agents.flags) of |= flags;
+  MechanicsParameters p;
+  p.yieldIterations = 0;
+  Relaxation(p, r).relax(block.agents, block.bonds, {});
+  block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
+  return block;
+}
+
+AgentStore relaxed(Block block, std::int64_t yieldIterations, bool sleeping = true) {
+  MechanicsParameters p;
+  p.yieldIterations = yieldIterations, p.sleeping = sleeping;
+  EXPECT_TRUE(Relaxation(p, r).relax(block.agents, block.bonds, {}).converged);
+  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  return block.agents;
+}
+
+TEST(Relaxation, LetsDaughtersAroundADisturbanceYield) {
+  const Block block = disturbedBlock(AgentFlag::daughter);
+  const AgentStore stiff = relaxed(block, 0), yielding = relaxed(block, 20);
+  const Vec3 disturbed = block.agents.position(block.agents.size() / 2 + 3);
+  Index moved = 0, movedStiff = 0, near = 0;
+  for (Index i = 0; i < block.agents.size(); ++i) {
+    const Vec3 before = block.agents.position(i);
+    if ((before - disturbed).norm() > 16 * r) {
+      EXPECT_EQ(yielding.position(i), before) << "far away " << i;
+    } else if ((before - disturbed).norm() < 5 * r && !block.agents.has(i, AgentFlag::fixed)) {
+      ++near;
+      moved += yielding.position(i) != before, movedStiff += stiff.position(i) != before;
+    }
+  }
+  ASSERT_GT(near, 50);
+  EXPECT_EQ(moved, near) << "of those up to two and a half diameters away";
+  EXPECT_LT(movedStiff, near);
+  const AgentStore awake = relaxed(block, 0, false);
+  const auto apart = [&](const AgentStore& from) {
+    double squares = 0;
+    for (Index i = 0; i < awake.size(); ++i) squares += (from.position(i) - awake.position(i)).squaredNorm();
+    return squares;
+  };
+  EXPECT_LT(apart(yielding), apart(stiff)) << "from where everybody awake comes to rest";
+}
+
+TEST(Relaxation, YieldingIsForDaughtersThatSleep) {
+  const Block cells = disturbedBlock(0);
+  EXPECT_EQ(largestDifference(relaxed(cells, 20), relaxed(cells, 0)), 0) << "no daughters";
+  const Block daughters = disturbedBlock(AgentFlag::daughter);
+  EXPECT_EQ(largestDifference(relaxed(daughters, 20, false), relaxed(daughters, 0, false)), 0) << "all awake";
+}
+
+TEST(Relaxation, YieldingDoesNotDependOnThreads) {
+  const Block block = disturbedBlock(AgentFlag::daughter);
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const AgentStore one = relaxed(block, 20);
+  omp_set_num_threads(3);
+  const AgentStore three = relaxed(block, 20);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(largestDifference(one, three), 0);
+}
+
+TEST(Relaxation, YieldsForLessThanHalfOfTheIterationsAllowed) {
+  MechanicsParameters p;
+  p.yieldIterations = 1000, p.maximumIterations = 12, p.stopAtMaximum = true;
+  Block block = disturbedBlock(AgentFlag::daughter);
+  EXPECT_LE(Relaxation(p, r).relax(block.agents, block.bonds, {}).iterations, 12);
+}
+
 TEST(Relaxation, MovesEverybodyWithoutSleeping) {
   MechanicsParameters p;
   Block block(12);

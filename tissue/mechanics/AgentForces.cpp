@@ -195,6 +195,11 @@ void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const 
   }
 }
 
+bool AgentForces::daughterInRange(Index i, Index j) const {
+  const double reach = range_.daughterFactor * (agents_.radius[i] + agents_.radius[j]);
+  return (agents_.position(i) - agents_.position(j)).squaredNorm() < reach * reach;
+}
+
 bool AgentForces::inRange(const MotionPiece& piece, std::size_t k, Index j) const {
   const bool daughter = piece.daughter[k] || agents_.has(j, AgentFlag::daughter);
   const double reach =

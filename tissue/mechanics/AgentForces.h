@@ -67,6 +67,9 @@ class AgentForces {
   /// Brings the lists up to date after these agents did move; `cramped` are the places among them, ascending,
   /// of those that are.
   void updateLists(MovingAgents& moving, std::span<const Index> cramped);
+  /// Whether agents i and j, of which one is a daughter, are in range of each other; both are where the store
+  /// has them.
+  bool daughterInRange(Index i, Index j) const;
   /// Whether the k-th agent of a piece is in range of agent j, which is where the store has it.
   bool inRange(const MotionPiece& piece, std::size_t k, Index j) const;
 

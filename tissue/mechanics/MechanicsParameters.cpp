@@ -79,6 +79,13 @@ void MechanicsParameters::describe(ParameterVisitor& p) {
   p.boolean(sleeping, {.key = "sleeping",
                        .source = "assumed",
                        .description = "move only whom a disturbance reaches; without, all or none"});
+  p.integer(yieldIterations,
+            {.key = "yieldIterations",
+             .minimum = 0,
+             .maximum = 10000,
+             .source = "assumed",
+             .description = "iterations in which daughters around a disturbance move before those within "
+                            "their tolerance sleep; 0: they sleep at once"});
   p.quantity(stepLimit, {.key = "stepLimit",
                          .minimum = 1e-6,
                          .maximum = 0.5,

@@ -114,12 +114,27 @@ void Relaxation::forget() {
   neighbours_ = NeighbourList();
 }
 
+int Relaxation::yield(RelaxingAgents& relaxing) const {
+  // Everybody is woken half way through `maximumIterations`: that is yet to come
+  const auto iterations =
+      static_cast<int>(std::min(parameters_.yieldIterations, (parameters_.maximumIterations - 1) / 2));
+  if (iterations == 0 || !relaxing.mayAnyoneSleep() || !relaxing.fewAreAwake()) return 0;
+  std::unique_ptr<Minimiser> minimiser = makeMinimiser(parameters_);
+  minimiser->setOutNearRest();
+  if (!relaxing.wakeDaughtersAround(std::move(minimiser))) return 0;
+  for (int n = 0; n < iterations; ++n) relaxing.advance();
+  relaxing.placeAwake();
+  relaxing.begin(makeMinimiser(parameters_));
+  return iterations;
+}
+
 RelaxationReport Relaxation::settle(Standing& standing) const {
   RelaxingAgents& relaxing = standing.relaxing;
   const std::uint64_t evaluationsBefore = standing.forces.evaluations();
   relaxing.begin(makeMinimiser(parameters_));
 
   RelaxationReport report;
+  report.iterations = yield(relaxing);
   report.converged = relaxing.allAsleep();
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
     relaxing.advance();

@@ -15,6 +15,8 @@
 
 namespace restenosis {
 
+class RelaxingAgents;
+
 /// What a relaxation did.
 struct RelaxationReport {
   int iterations = 0;
@@ -45,8 +47,9 @@ struct RelaxationFailed : std::runtime_error {
 /// contacts are less stiff than `firmStiffness` rests at less, in proportion.
 ///
 /// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
-/// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
-/// number of threads.
+/// unless these are many; the rest are checked before the relaxation ends. Before, the daughters around them
+/// move with them for a while, or tissue that grows would be left looser than it is in equilibrium. Results
+/// do not depend on the number of threads.
 class Relaxation {
  public:
   /// How far beyond contact the neighbour list looks, over the reference radius. Speed only: results do not
@@ -84,6 +87,9 @@ class Relaxation {
   /// How to compute in mixed precision; nothing where double precision is asked for or needed.
   std::optional<FixedScale> mixedScale() const;
   RelaxationReport settle(Standing& standing) const;
+  /// Lets daughters around those that are awake move with them, for `yieldIterations`, and begins anew from
+  /// where they are then. Returns the iterations that took.
+  int yield(RelaxingAgents& relaxing) const;
 
   MechanicsParameters parameters_;
   ForceField field_;

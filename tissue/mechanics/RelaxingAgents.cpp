@@ -31,7 +31,18 @@ constexpr std::size_t marksOverSorting = 256;
 // the same for all misses the stiff agents of the wall (docs/developer/tried.md).
 constexpr double changeUntilLook = 3;
 
+// Daughters so many contacts from a disturbance yield to it. One or two leave half of what is gained by all;
+// with three all is gained, for two thirds of the cost (docs/developer/tried.md).
+constexpr int contactsAround = 3;
+
 }  // namespace
+
+template <class Wanted>
+void RelaxingAgents::take(Index i, const Wanted& wanted, std::vector<Index>& found) {
+  std::atomic_ref<std::uint8_t> mark(marked_[i]);
+  if (mark.load(std::memory_order_relaxed) || !wanted(i)) return;
+  if (!mark.exchange(1, std::memory_order_relaxed)) found.push_back(i);
+}
 
 RelaxingAgents::RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping)
     : forces_(forces), tolerance_(tolerance), sleeping_(sleeping) {}
@@ -46,6 +57,32 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   isAwake_.resize(forces_.size(), 0);
   marked_.resize(forces_.size(), 0);
   wakeAnyone();
+}
+
+bool RelaxingAgents::wakeDaughtersAround(std::unique_ptr<Minimiser> minimiser) {
+  const AgentStore& agents = forces_.agents();
+  std::vector<Index> around, front = awake_.agents;
+  for (int contacts = 0; contacts < contactsAround; ++contacts) {
+    front = gatherPieces(front.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& next) {
+      for (std::size_t k = begin; k < end; ++k) {
+        // Listed ones out of range are left out, so that who wakes does not depend on the list.
+        const auto wanted = [&, i = front[k]](Index j) {
+          return agents.has(j, AgentFlag::daughter) && !isAwake_[j] && forces_.isFree(j) &&
+                 forces_.daughterInRange(i, j);
+        };
+        for (const Index j : forces_.neighbours().of(front[k])) take(j, wanted, next);
+      }
+    });
+    around.insert(around.end(), front.begin(), front.end());
+  }
+  if (around.empty()) return false;
+  minimiser_ = std::move(minimiser);
+  wakeWithForces(unmarkAll(std::move(around)));
+  return true;
+}
+
+void RelaxingAgents::placeAwake() {
+  forEachInChunks(awake_.size(), [&](std::size_t k) { forces_.place(awake_.agents[k], awake_.position(k)); });
 }
 
 void RelaxingAgents::advance() {
@@ -128,11 +165,6 @@ bool RelaxingAgents::wakeAnyone() {
 std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
   const auto asleep = [this](Index j) { return !isAwake_[j] && forces_.isFree(j); };
   const auto lookAround = [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
-    const auto take = [&](Index j, const auto& wanted) {
-      std::atomic_ref<std::uint8_t> mark(marked_[j]);
-      if (mark.load(std::memory_order_relaxed) || !wanted(j)) return;
-      if (!mark.exchange(1, std::memory_order_relaxed)) found.push_back(j);
-    };
     MotionPiece& piece = awake_.pieceOf(begin);
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = awake_.agents[k];
@@ -141,8 +173,8 @@ std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
       piece.way[m] = 0;
       // Listed ones out of range are left out, so that who is looked at does not depend on the list.
       const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(piece, m, j); };
-      for (const Index j : forces_.neighbours().of(i)) take(j, inRange);
-      for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep);
+      for (const Index j : forces_.neighbours().of(i)) take(j, inRange, found);
+      for (const Bond& bond : forces_.bonds().of(i)) take(bond.partner, asleep, found);
     }
   };
   return unmarkAll(gatherPieces(awake_.size(), lookAround));
@@ -185,9 +217,11 @@ void RelaxingAgents::wakeAll() {
 }
 
 void RelaxingAgents::wakeAllAsleep() {
-  const std::vector<Index> sleepers = agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; });
+  wakeWithForces(agentsOf(forces_.free(), [this](Index i) { return !isAwake_[i]; }));
+}
+
+void RelaxingAgents::wakeWithForces(std::span<const Index> sleepers) {
   wake(sleepers);
-  // They set out with the forces of now, not of when they were last looked at
   forces_.evaluate(sleepers,
                    [this](std::size_t, Index i, const AgentForce& now) { awake_.setNow(placeOf(i), now); });
 }

@@ -31,6 +31,11 @@ class RelaxingAgents {
   /// Sends everybody to sleep, computes all forces that may have changed and wakes the agents above the
   /// tolerance. `minimiser` moves them from now on.
   void begin(std::unique_ptr<Minimiser> minimiser);
+  /// Wakes the daughters that a few contacts lead to from awake agents; tells whether there were any. If so,
+  /// `minimiser` moves all that are awake from now on.
+  bool wakeDaughtersAround(std::unique_ptr<Minimiser> minimiser);
+  /// Tells the store where awake agents are, for another begin().
+  void placeAwake();
   /// One step of the awake agents, then the forces on them.
   void advance();
   /// Computes the forces on all sleeping agents in range of an awake one that has come some way since this
@@ -61,6 +66,10 @@ class RelaxingAgents {
   /// The sleepers in range of an awake agent that has come some way, whose ways begin anew; in ascending
   /// order.
   std::vector<Index> sleepersBesideMovers();
+  /// Appends an agent to `found` and marks it, if it is wanted(i) and not marked yet. May be called from
+  /// several threads.
+  template <class Wanted>
+  void take(Index i, const Wanted& wanted, std::vector<Index>& found);
   /// These agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
   /// Whether an agent, or all of those with these largest values [N], has settled at this share of the
@@ -84,6 +93,8 @@ class RelaxingAgents {
   /// Wakes them; all, if many are awake then. Returns whether there were any.
   bool wakeRestless(RestlessPieces restless);
   void wakeAllAsleep();
+  /// In ascending order. They set out with the forces of now, not of when they were last looked at.
+  void wakeWithForces(std::span<const Index> sleepers);
   /// In ascending order; no force on them is known.
   void wake(std::span<const Index> sleepers);
   /// Where an agent that is awake stands among those.
