@@ -31,8 +31,8 @@ constexpr std::size_t marksOverSorting = 256;
 // the same for all misses the stiff agents of the wall (docs/developer/tried.md).
 constexpr double changeUntilLook = 3;
 
-// Daughters so many contacts from a disturbance yield to it. One or two leave half of what is gained by all;
-// with three all is gained, for two thirds of the cost (docs/developer/tried.md).
+// Daughters so many contacts from a disturbance yield to it. With one or two, two or one fifths of what is
+// gained by all daughters are missed; with three nothing, for two thirds of them (docs/developer/tried.md).
 constexpr int contactsAround = 3;
 
 }  // namespace
