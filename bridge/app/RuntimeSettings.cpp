@@ -42,8 +42,8 @@ void applyRuntimeSettings(char** argv) {
   if (marked && std::string_view(marked) == withTunables) unsetenv("GLIBC_TUNABLES");
   unsetenv(mark);
 #if defined(M_MMAP_THRESHOLD) && defined(M_TRIM_THRESHOLD)
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  mallopt(M_TRIM_THRESHOLD, 32 << 20);
+  mallopt(M_MMAP_THRESHOLD, 16 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
 }
 

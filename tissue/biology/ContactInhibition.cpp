@@ -45,16 +45,23 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
     std::vector<std::uint8_t> due(agents.size(), 0);
     for (const Index i : fresh) due[i] = 1;
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
-    forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto [centre, radius] = places[k];
-        neighbours.forEachWithin(range_, centre, radius, [&](Index j, const Vec3&, double distance) {
-          const bool near = distance <= nearRange * (radius + reference_.shapes().radius[j]);
-          if (near || !(marks[j] & coveredByNear))
-            std::atomic_ref(due[j]).store(1, std::memory_order_relaxed);
-        });
-      }
-    });
+    const auto judgeAround = [&](const MirroredNeighbours& those, double range) {
+      forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto [centre, radius] = places[k];
+          those.forEachWithin(range, centre, radius, [&](const MirroredNeighbours::Found& near) {
+            std::atomic_ref(due[near.agent]).store(1, std::memory_order_relaxed);
+          });
+        }
+      });
+    };
+    judgeAround(neighbours, startsNear_ ? nearRange : range_);
+    if (startsNear_) {
+      // Few: most are covered by those near them, whatever is farther away
+      const auto uncovered = agentsThat(
+          agents.size(), [&](Index i) { return (marks[i] & (usesFlags | coveredByNear)) == usesFlags; });
+      judgeAround(MirroredNeighbours(reference_.shapes(), uncovered, range_, vesselLength_), range_);
+    }
     cells = agentsThat(agents.size(), [&](Index i) { return due[i] && couldUse(agents, i); });
     forEachHeavyPiece(cells.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<ContactNeighbour> scratch;

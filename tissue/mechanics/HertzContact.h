@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "Lanes.h"
+#include "OneContact.h"
 
 namespace restenosis {
 

@@ -58,6 +58,7 @@ class Numbers {
   Numbers& operator+=(const Numbers& b) { return *this = *this + b; }
   Numbers& operator-=(const Numbers& b) { return *this = *this - b; }
   friend Mask operator<(const Numbers& a, const Numbers& b) { return a.v_ < b.v_; }
+  friend Mask operator<=(const Numbers& a, const Numbers& b) { return a.v_ <= b.v_; }
   friend Mask operator==(const Numbers& a, const Numbers& b) { return a.v_ == b.v_; }
 
   Numbers min(const Numbers& b) const { return Numbers(Vector(b.v_ < v_ ? b.v_ : v_)); }
@@ -96,20 +97,11 @@ template <class Eight, std::size_t count>
     return __builtin_shufflevector(parts[0], parts[1], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-/// Force of a contact law at one overlap [N].
-template <class Law>
-double forceOf(const Law& law, double overlap, double reducedRadius) {
-  Numbers<double, 1> force, stiffness;
-  law.evaluate(Numbers<double, 1>(overlap), Numbers<double, 1>(reducedRadius), force, stiffness);
-  return force[0];
-}
-
-/// Slope of a contact law at one overlap [N/m].
-template <class Law>
-double stiffnessOf(const Law& law, double overlap, double reducedRadius) {
-  Numbers<double, 1> force, stiffness;
-  law.evaluate(Numbers<double, 1>(overlap), Numbers<double, 1>(reducedRadius), force, stiffness);
-  return stiffness[0];
+/// Bit k is set where element k of a mask is.
+inline unsigned bitsOf(const Numbers<double, 8>::Mask& mask) {
+  unsigned bits = 0;
+  for (int k = 0; k < 8; ++k) bits |= static_cast<unsigned>(mask[k] & 1) << k;
+  return bits;
 }
 
 }  // namespace restenosis
