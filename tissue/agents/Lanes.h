@@ -99,9 +99,10 @@ template <class Eight, std::size_t count>
 
 /// Bit k is set where element k of a mask is.
 inline unsigned bitsOf(const Numbers<double, 8>::Mask& mask) {
-  unsigned bits = 0;
-  for (int k = 0; k < 8; ++k) bits |= static_cast<unsigned>(mask[k] & 1) << k;
-  return bits;
+  const auto bits = mask & Numbers<double, 8>::Mask{1, 2, 4, 8, 16, 32, 64, 128};
+  const auto halves = bits | __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+  const auto quarters = halves | __builtin_shufflevector(halves, halves, 2, 3, 0, 1, 6, 7, 4, 5);
+  return static_cast<unsigned>(quarters[0] | quarters[1]);
 }
 
 }  // namespace restenosis

@@ -83,11 +83,13 @@ class MirroredNeighbours {
     const Values squared = dx * dx + dy * dy + dz * dz;
     for (unsigned bits = bitsOf(squared <= reach * reach) & ((1U << count) - 1); bits != 0;
          bits &= bits - 1) {
-      const int k = std::countr_zero(bits);
-      f(Found{.agent = agent_.data()[n + k],
-              .radius = radius_.data()[n + k],
-              .offset = {dx[k], dy[k], dz[k]},
-              .distance = std::sqrt(squared[k])});
+      const std::uint32_t k = n + static_cast<std::uint32_t>(std::countr_zero(bits));
+      // Anew: reading it from the lanes would have to wait until they are stored
+      const Vec3 offset = Vec3(x_.data()[k], y_.data()[k], z_.data()[k]) - centre;
+      f(Found{.agent = agent_.data()[k],
+              .radius = radius_.data()[k],
+              .offset = offset,
+              .distance = offset.norm()});
     }
   }
   /// Images in the plane at `plane` are as far from `centre` as the agents themselves are from its image.
