@@ -31,7 +31,7 @@ TEST(AgentSpheres, InMixedPrecisionRemembersWhereAnAgentWas) {
   ASSERT_TRUE(spheres.mixed());
 
   const Vec3 there(2.5 * r, 0, 0);
-  spheres.moveTo(1, there);
+  spheres.moveTo(1, there, static_cast<float>(r));
   EXPECT_EQ(spheres.remembered(1).x, 2 * r);
   two.agents.setPosition(1, there);
   EXPECT_TRUE(spheres.changed(1));
@@ -47,7 +47,7 @@ TEST(AgentSpheres, InDoublePrecisionHasOneCopy) {
   spheres.choosePrecision();
   spheres.packAll();
   EXPECT_FALSE(spheres.mixed());
-  spheres.moveTo(1, Vec3(2.5 * r, 0, 0));
+  spheres.moveTo(1, Vec3(2.5 * r, 0, 0), static_cast<float>(r));
   EXPECT_EQ(spheres.remembered(1).x, 2.5 * r);
 }
 

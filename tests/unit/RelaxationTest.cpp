@@ -151,6 +151,11 @@ TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
 
 /// Keeps agents above the plane z = 0.5 r.
 struct Floor : Constraint {
+  explicit Floor(bool tells = true) : tellsRoom(tells) {}
+  bool tellsRoom;
+  double room(AgentKind, double, const Vec3& position) const override {
+    return tellsRoom ? position.z() - 0.5 * r : 0;
+  }
   void project(AgentKind, double, Vec3& position) const override {
     position.z() = std::max(position.z(), 0.5 * r);
   }
@@ -194,6 +199,28 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
       ASSERT_EQ(agents.pressure, fresh.agents.pressure) << precision << ", step " << step;
     }
     EXPECT_LT(again, anew);
+  }
+}
+
+TEST(Relaxation, ARoomThatAConstraintTellsChangesNothing) {
+  const Floor telling, silent(false);
+  for (const auto* minimiser : {"fire", "overdamped"}) {
+    MechanicsParameters p;
+    p.minimiser = minimiser;
+    p.stopAtMaximum = true;
+    p.maximumIterations = 200;
+    Block told(11), asked = told;
+    for (Block* block : {&told, &asked}) {
+      for (Index i = 0; i < block->agents.size(); ++i) {
+        block->agents.set(i, AgentFlag::fixed, false);
+        block->agents.setPosition(i,
+                                  block->agents.position(i) - Vec3(0, 0, r));  // two layers below the floor
+      }
+    }
+    Relaxation(p, r).relax(told.agents, told.bonds, std::array<const Constraint*, 1>{&telling});
+    Relaxation(p, r).relax(asked.agents, asked.bonds, std::array<const Constraint*, 1>{&silent});
+    EXPECT_EQ(largestDifference(told.agents, asked.agents), 0) << minimiser;
+    EXPECT_EQ(std::ranges::min(told.agents.z), 0.5 * r) << "some lie on the floor";
   }
 }
 

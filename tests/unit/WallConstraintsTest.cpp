@@ -5,6 +5,7 @@
 #include "EndPlanes.h"
 #include "LaminaSurfaces.h"
 #include "OuterConfinement.h"
+#include "RandomStream.h"
 
 namespace restenosis {
 namespace {
@@ -98,6 +99,43 @@ TEST_F(WallConstraints, CellsStayInsideTheEel) {
   agents.setPosition(cell, {0.95e-3, 0, 50e-6});
   EXPECT_EQ(projected(confinement, cell), agents.position(cell));
   EXPECT_EQ(released(confinement, cell, {1, 1, 0}), Vec3(1, 1, 0));
+}
+
+TEST_F(WallConstraints, DoNothingToThoseWhoHaveRoom) {
+  for (int n = 0; n < 300; ++n) {
+    const double around = 2 * pi * n / 300;
+    for (int k = 0; k < 5; ++k)
+      add(AgentKind::eel, toCartesian({1e-3 + 5e-5 * std::cos(around), around, 25e-6 * k}));
+  }
+  const OuterConfinement confinement(agents, r);
+  const EndPlanes ends(1e-4);
+  const LaminaSurfaces laminae(shape);
+  for (const Constraint* constraint :
+       {static_cast<const Constraint*>(&confinement), static_cast<const Constraint*>(&ends),
+        static_cast<const Constraint*>(&laminae)}) {
+    for (const AgentKind kind : {AgentKind::smc, AgentKind::iel, AgentKind::eel, AgentKind::strut}) {
+      for (std::uint64_t n = 0; n < 500; ++n) {
+        RandomStream random(1, n, 0, RandomPurpose::packing);
+        const Vec3 from =
+            toCartesian({1.1e-3 * random.uniform(), 2 * pi * random.uniform(), 1e-4 * random.uniform()});
+        const double room = std::min(1e-3, constraint->room(kind, r, from));
+        if (room <= 0) continue;
+        const Vec3 there = from + 0.999 * room * random.direction();
+        Vec3 place = there, force = random.direction();
+        const Vec3 before = force;
+        constraint->project(kind, r, place);
+        constraint->release(kind, r, there, force);
+        ASSERT_EQ(place, there);
+        ASSERT_EQ(force, before);
+      }
+    }
+  }
+  const Vec3 middle(0.5e-3, 0, 0.5e-4), outside(1.1e-3, 0, 0.5e-4);
+  EXPECT_NEAR(confinement.room(AgentKind::smc, r, middle), 0.95e-3 - 0.5 * r - 0.5e-3, 5e-6);
+  EXPECT_LT(confinement.room(AgentKind::smc, r, outside), 0);
+  EXPECT_EQ(confinement.room(AgentKind::eel, r, outside), never);
+  EXPECT_DOUBLE_EQ(ends.room(AgentKind::smc, r, middle), 0.5e-4);
+  EXPECT_EQ(laminae.room(AgentKind::smc, r, middle), 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "Chunks.h"
@@ -154,12 +155,20 @@ AgentMotion AgentForces::motionOf(Index i) const {
   return {.position = position,
           .radius = agents_.radius[i],
           .leash = leashOf(i, position),
+          .room = roomOf(agents_.kind[i], agents_.radius[i], position),
           .kind = agents_.kind[i],
           .daughter = agents_.has(i, AgentFlag::daughter)};
 }
 
 float AgentForces::leashOf(Index i, const Vec3& position) const {
   return static_cast<float>(shorter * neighbours_.room(i, position));
+}
+
+float AgentForces::roomOf(AgentKind kind, double radius, const Vec3& position) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Constraint* constraint : constraints_)
+    least = std::min(least, constraint->room(kind, radius, position));
+  return static_cast<float>(shorter * least);
 }
 
 void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const Moves& moves,
@@ -172,12 +181,17 @@ void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const 
     to.y[k] = piece.y[k] + static_cast<double>(moves.y[k]);
     to.z[k] = piece.z[k] + static_cast<double>(moves.z[k]);
   }
-  for (const Constraint* constraint : constraints_) {
-    for (std::size_t k = 0; k < agents.size(); ++k) {
-      Vec3 place(to.x[k], to.y[k], to.z[k]);
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    const float dx = moves.x[k], dy = moves.y[k], dz = moves.z[k];
+    piece.room[k] -= longer * std::sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    if (piece.room[k] > 0) continue;
+    Vec3 place(to.x[k], to.y[k], to.z[k]);
+    for (const Constraint* constraint : constraints_)
       constraint->project(piece.kind[k], piece.radius[k], place);
-      to.x[k] = place.x(), to.y[k] = place.y(), to.z[k] = place.z();
-    }
+    to.x[k] = place.x(), to.y[k] = place.y(), to.z[k] = place.z();
+    piece.room[k] = roomOf(piece.kind[k], piece.radius[k], place);
   }
   for (std::size_t k = 0; k < agents.size(); ++k) {
     const double dx = to.x[k] - piece.x[k], dy = to.y[k] - piece.y[k], dz = to.z[k] - piece.z[k];
@@ -188,7 +202,7 @@ void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const 
   }
   const auto comfortable = static_cast<float>(neighbours_.comfortableRoom());
   for (std::size_t k = 0; k < agents.size(); ++k) {
-    spheres_.moveTo(agents[k], piece.position(k));
+    spheres_.moveTo(agents[k], piece.position(k), piece.radius[k]);
     if (piece.leash[k] > comfortable) continue;
     piece.leash[k] = leashOf(agents[k], piece.position(k));
     if (!(piece.leash[k] > comfortable)) cramped.push_back(static_cast<Index>(k));
@@ -233,12 +247,12 @@ void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads
     piece.stiffness[k] = static_cast<float>(std::max(settings_.softest, loads[k].stiffness));
     firmness[k] = static_cast<float>(loads[k].firmness);
   }
-  for (const Constraint* constraint : constraints_) {
-    for (std::size_t k = 0; k < loads.size(); ++k) {
-      Vec3 force = piece.force(k);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (piece.room[k] > 0) continue;
+    Vec3 force = piece.force(k);
+    for (const Constraint* constraint : constraints_)
       constraint->release(piece.kind[k], piece.radius[k], piece.position(k), force);
-      piece.setForce(k, force);
-    }
+    piece.setForce(k, force);
   }
   const auto softest = static_cast<float>(settings_.softest), firm = static_cast<float>(settings_.firm);
   for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -287,6 +301,7 @@ void AgentForces::evaluateResting(const Spheres& spheres, std::span<const Index>
       const Index i = subset[begin + k];
       piece.x[k] = agents_.x[i], piece.y[k] = agents_.y[i], piece.z[k] = agents_.z[i];
       piece.radius[k] = static_cast<float>(agents_.radius[i]);
+      piece.room[k] = 0;
       piece.kind[k] = agents_.kind[i], piece.daughter[k] = agents_.has(i, AgentFlag::daughter);
       agents_.pressure[i] = loads[k].pressure;
     }

@@ -107,6 +107,8 @@ class AgentForces {
   void placeAll(const MovingAgents& moving);
   /// The room that an agent has, in single precision, which errs to the safe side [m].
   float leashOf(Index i, const Vec3& position) const;
+  /// How far such an agent may go before any constraint acts on it, likewise.
+  float roomOf(AgentKind kind, double radius, const Vec3& position) const;
   /// Sets the forces on the agents of a piece by their loads.
   void setForces(MotionPiece& piece, std::span<const AgentLoad> loads) const;
   /// Sets the loads of a piece of `agents` whose rows are not kept.

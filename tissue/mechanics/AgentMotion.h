@@ -18,6 +18,7 @@ struct AgentMotion {
   Vec3 position = Vec3::Zero();  ///< [m]
   double radius = 0;             ///< [m]
   float leash = 0;               ///< at least so far it may go before the neighbour list is looked at [m]
+  float room = 0;  ///< at least so far it may go before a constraint acts (Constraint::room) [m]
   AgentKind kind = AgentKind::smc;
   bool daughter = false;
 };

@@ -36,10 +36,10 @@ class AgentSpheres {
   void copy(Index i);
   /// Whether agent i is not where and as large as remember() found it.
   bool changed(Index i) const;
-  /// Agent i is here now, and as large as it was.
-  void moveTo(Index i, const Vec3& position) {
+  /// Agent i is here now, and as large as it was: of this radius, which spares waiting for its copy.
+  void moveTo(Index i, const Vec3& position, float radius) {
     if (scale_) {
-      fixed_[i] = fixedSphere(*scale_, position, fixed_[i].r);
+      fixed_[i] = fixedSphere(*scale_, position, radius);
     } else {
       spheres_[i] = {position.x(), position.y(), position.z(), spheres_[i].r};
     }

@@ -17,6 +17,10 @@ class Constraint {
   /// Moves `position`, where an agent of this kind and radius [m] is about to go, to the nearest allowed
   /// place.
   virtual void project(AgentKind kind, double radius, Vec3& position) const = 0;
+  /// How far, at least, an agent may go from `position` in any direction before project() or release() do
+  /// anything [m]: infinity for those it never concerns, 0 or less where they may do so here. Where an agent
+  /// has room neither is called.
+  virtual double room(AgentKind kind, double radius, const Vec3& position) const = 0;
   /// Takes the part out of the `force` on an agent at `position` that the constraint carries there, so that
   /// what is left is the residual.
   virtual void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const = 0;

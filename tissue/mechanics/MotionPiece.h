@@ -30,6 +30,7 @@ struct alignas(64) MotionPiece {
   Floats restlessness;  ///< AgentForce::restlessness [N]
   Floats radius;        ///< [m]
   Floats leash;         ///< AgentMotion::leash [m]
+  Floats room;          ///< AgentMotion::room [m]
   Floats way;           ///< come since those beside them were looked at [m]
   std::array<AgentKind, most> kind;
   std::array<std::uint8_t, most> daughter;

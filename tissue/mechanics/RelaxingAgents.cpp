@@ -51,7 +51,8 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   minimiser_ = std::move(minimiser);
   keepAwake_ = false;
   for (const Index i : awake_.agents) isAwake_[i] = 0;
-  if (awake_.size() < awake_.capacity() / 4) awake_ = {};  // gives memory back after all were awake
+  // Gives memory back after all were awake
+  if (awake_.size() < awake_.capacity() / 4 && !areFew(awake_.capacity())) awake_ = {};
   awake_.resize(0);
   awake_.areRowsOf = false;
   isAwake_.resize(forces_.size(), 0);

@@ -32,10 +32,10 @@ inline FixedSphere fixedSphere(const FixedScale& scale, const Vec3& position, fl
 /// Radius of the sphere that stands in for "no agent": so far below zero that it touches nothing.
 inline constexpr double noAgentRadius = -1e6;
 
-/// Four agents at a time in double precision.
+/// Half as many agents at a time, in double precision.
 class ExactSpheres {
  public:
-  static constexpr int lanes = 4;
+  static constexpr int lanes = floatLanes / 2;
   using Values = Numbers<double, lanes>;
   struct Places {
     Values x, y, z, r;

@@ -48,10 +48,11 @@ void UnsureForces::stopMoving() {
 }
 
 bool UnsureForces::mayAct(Index i, const Vec3& position, double radius, Index j) const {
-  const double sum = radius + std::max(spheres_.remembered(j).r, agents_.radius[j]);
+  const Sphere& other = spheres_.remembered(j);
   const bool daughter = ((agents_.flags[i] | agents_.flags[j]) & AgentFlag::daughter) != 0;
-  const double reach = beyondRounding * (daughter ? range_.daughterFactor : range_.factor) * sum;
-  return (position - agents_.position(j)).squaredNorm() < reach * reach;
+  const double reach =
+      beyondRounding * (daughter ? range_.daughterFactor : range_.factor) * (radius + other.r);
+  return (position - Vec3(other.x, other.y, other.z)).squaredNorm() < reach * reach;
 }
 
 bool UnsureForces::mayHaveActed(Index i, Index j) const {

@@ -44,7 +44,8 @@ class UnsureForces {
   bool marked(Index i) const { return marked_[i] != 0; }
 
  private:
-  /// Whether agent i, were it there and so large, could act on agent j, which has not moved.
+  /// Whether agent i, were it there and so large, could act on agent j where AgentSpheres remembers it: who
+  /// is elsewhere, or of another size, is marked herself.
   bool mayAct(Index i, const Vec3& position, double radius, Index j) const;
   /// Whether it does where it is, or did where AgentSpheres remembers it.
   bool mayHaveActed(Index i, Index j) const;

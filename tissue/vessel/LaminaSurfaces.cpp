@@ -1,6 +1,7 @@
 #include "LaminaSurfaces.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "Cylindrical.h"
 
@@ -23,6 +24,10 @@ void LaminaSurfaces::project(AgentKind kind, double, Vec3& position) const {
     case AgentKind::strut:
       break;
   }
+}
+
+double LaminaSurfaces::room(AgentKind kind, double, const Vec3&) const {
+  return kind == AgentKind::strut ? std::numeric_limits<double>::infinity() : 0;
 }
 
 void LaminaSurfaces::release(AgentKind kind, double, const Vec3& position, Vec3& force) const {

@@ -1,5 +1,7 @@
 #include "OuterConfinement.h"
 
+#include <limits>
+
 #include "Cylindrical.h"
 
 namespace restenosis {
@@ -7,11 +9,14 @@ namespace restenosis {
 OuterConfinement::OuterConfinement(const AgentStore& agents, double cellRadius, double margin)
     : map_(agents, AgentKind::eel, 2 * cellRadius), margin_(margin) {}
 
+double OuterConfinement::clearlyInside(double surface, double radius) const {
+  return (surface - margin_ * radius) * (1 - 2 * onSurface);
+}
+
 bool OuterConfinement::deepInside(const Vec3& position, double radius) const {
   const double squared = position.head<2>().squaredNorm();
   const auto isWithin = [&](double surface) {
-    // Clearly farther in than what `release` takes for on the surface.
-    const double within = (surface - margin_ * radius) * (1 - 2 * onSurface);
+    const double within = clearlyInside(surface, radius);
     return within > 0 && squared < within * within;
   };
   return isWithin(map_.lowest()) || isWithin(map_.lowestNear(position.x(), position.y(), position.z()));
@@ -22,6 +27,11 @@ void OuterConfinement::project(AgentKind kind, double radius, Vec3& position) co
   if (deepInside(position, radius)) return;
   const double limit = map_.at(position) - margin_ * radius;
   if (radiusOf(position) > limit) position = atRadius(position, limit);
+}
+
+double OuterConfinement::room(AgentKind kind, double radius, const Vec3& position) const {
+  if (kind != AgentKind::smc && kind != AgentKind::iel) return std::numeric_limits<double>::infinity();
+  return clearlyInside(map_.lowest(), radius) - radiusOf(position);
 }
 
 void OuterConfinement::release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const {

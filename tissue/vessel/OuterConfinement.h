@@ -21,6 +21,7 @@ class OuterConfinement : public Constraint {
   static constexpr double defaultMargin = 0.5;
 
   void project(AgentKind kind, double radius, Vec3& position) const override;
+  double room(AgentKind kind, double radius, const Vec3& position) const override;
   void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
   template <class Archive>
@@ -29,6 +30,9 @@ class OuterConfinement : public Constraint {
   }
 
  private:
+  /// The distance from the axis [m] below which an agent is farther in than what release() takes for on the
+  /// surface, where that is `surface` from the axis.
+  double clearlyInside(double surface, double radius) const;
   /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.
   bool deepInside(const Vec3& position, double radius) const;
 
