@@ -37,5 +37,14 @@ TEST(Lanes, JoinVectorsOfEightInTheirOrder) {
   for (int k = 0; k < 16; ++k) EXPECT_EQ(both[k], static_cast<float>(k));
 }
 
+TEST(Lanes, TellWhichElementsOfAMaskAreSet) {
+  using Eight = Numbers<double, 8>;
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    std::array<double, 8> values{};
+    for (unsigned k = 0; k < 8; ++k) values[k] = (bits >> k & 1U) != 0 ? 1 : 3;
+    EXPECT_EQ(bitsOf(Eight::from(values.data()) <= Eight(1)), bits);
+  }
+}
+
 }  // namespace
 }  // namespace restenosis

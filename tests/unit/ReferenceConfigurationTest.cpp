@@ -75,6 +75,23 @@ TEST(ReferenceConfiguration, FollowsOrderBirthAndRemovalById) {
   EXPECT_TRUE(std::ranges::equal(reference.shapes().x, agents.x));
 }
 
+TEST(ReferenceConfiguration, TakesOnAnOrderItIsTold) {
+  ReferenceConfiguration reference;
+  AgentStore agents = row(4);
+  reference.follow(agents, 0.1);
+  reference.marks()[2] = 7;
+  const std::vector<Index> order{3, 2, 0, 1};
+  agents.reorder(order);
+  reference.reorder(order);
+  EXPECT_TRUE(std::ranges::equal(reference.shapes().x, agents.x));
+  EXPECT_EQ(reference.marks()[1], 7);
+  agents.append(AgentKind::smc, Vec3(50, 0, 0), unit);
+  EXPECT_EQ(places(reference.follow(agents, 0.1)), (std::vector<double>{50}));
+  // One that is not of these agents is as if it had not been told
+  reference.reorder(order);
+  EXPECT_TRUE(reference.follow(agents, 0.1).empty());
+}
+
 TEST(ReferenceConfiguration, SurvivesAnArchive) {
   ReferenceConfiguration reference, restored;
   AgentStore agents = row(3);

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <span>
@@ -111,30 +112,36 @@ std::vector<Told> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = p
   return all;
 }
 
-/// The agents of [0, count) that are wanted(i), in ascending order.
-template <class Wanted>
-std::vector<Index> agentsThat(std::size_t count, Wanted&& wanted) {
+/// Those agentAt(k), k in [0, count), that are wanted(i), in their order.
+template <class AgentAt, class Wanted>
+std::vector<Index> agentsAmong(std::size_t count, const AgentAt& agentAt, const Wanted& wanted) {
   return gatherPieces(
       count,
       [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (wanted(static_cast<Index>(i))) found.push_back(static_cast<Index>(i));
+        std::array<Index, chunkSize> kept;
+        Index* next = kept.data();
+        // Each is noted, and kept by counting it: no branch to be guessed wrong.
+        for (std::size_t k = begin; k < end; ++k) {
+          *next = agentAt(k);
+          next += wanted(*next) ? 1 : 0;
         }
+        found.assign(kept.data(), next);
       },
       parallelLookFrom);
 }
 
+/// The agents of [0, count) that are wanted(i), in ascending order.
+template <class Wanted>
+std::vector<Index> agentsThat(std::size_t count, const Wanted& wanted) {
+  return agentsAmong(
+      count, [](std::size_t k) { return static_cast<Index>(k); }, wanted);
+}
+
 /// Those of `agents` that are wanted(i), in their order.
 template <class Wanted>
-std::vector<Index> agentsOf(std::span<const Index> agents, Wanted&& wanted) {
-  return gatherPieces(
-      agents.size(),
-      [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
-        for (const Index i : agents.subspan(begin, end - begin)) {
-          if (wanted(i)) found.push_back(i);
-        }
-      },
-      parallelLookFrom);
+std::vector<Index> agentsOf(std::span<const Index> agents, const Wanted& wanted) {
+  return agentsAmong(
+      agents.size(), [agents](std::size_t k) { return agents[k]; }, wanted);
 }
 
 }  // namespace restenosis

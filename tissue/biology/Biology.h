@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "AgentStore.h"
 #include "BondTable.h"
@@ -44,6 +45,8 @@ class Biology {
 
   /// Sets the flags `inhibited` and `exposed`.
   InhibitionReport updateInhibition(AgentStore& agents) { return inhibition_.evaluate(agents); }
+  /// To be told where agents have changed places: to place k came the one of order[k]. Speed only.
+  void reorder(std::span<const Index> order) { inhibition_.reorder(order); }
   /// Sets the flag `covered` for `time` [s] since the end of deployment.
   CoverageReport updateEndothelium(AgentStore& agents, double time) const;
   /// Sets nitric oxide from the WSS that agents hold.

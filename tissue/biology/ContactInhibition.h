@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "AgentStore.h"
@@ -35,6 +36,9 @@ class ContactInhibition {
                     std::unique_ptr<const ContactInhibitionLaw> law, double vesselLength);
 
   InhibitionReport evaluate(AgentStore& agents);
+
+  /// As Biology::reorder().
+  void reorder(std::span<const Index> order) { reference_.reorder(order); }
 
   template <class Archive>
   void archive(Archive& a) {

@@ -17,6 +17,9 @@ namespace {
 // An agent that has moved by less than this times its radius has changed one place, not two. Speed only.
 constexpr double shortMove = 0.5;
 
+// In an order of copies: there is none yet.
+constexpr Index isNew = std::numeric_limits<Index>::max();
+
 }  // namespace
 
 bool ReferenceConfiguration::inOrderOf(const AgentStore& agents) const {
@@ -47,12 +50,26 @@ bool ReferenceConfiguration::differs(const AgentStore& agents, Index i, double t
          !((agents.position(i) - shapes().position(i)).squaredNorm() <= allowed * allowed);
 }
 
+void ReferenceConfiguration::take(std::span<const Index> order) {
+  const auto reorder = [order](auto& values) {
+    std::remove_reference_t<decltype(values)> ordered(order.size());
+    forEachInChunks(order.size(), [&](std::size_t k) {
+      if (order[k] != isNew) ordered[k] = values[order[k]];
+    });
+    values = std::move(ordered);
+  };
+  reorder(id_), reorder(x_), reorder(y_), reorder(z_), reorder(radius_), reorder(kind_), reorder(marks_);
+}
+
+void ReferenceConfiguration::reorder(std::span<const Index> order) {
+  if (order.size() == size()) take(order);
+}
+
 std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore& agents) {
   std::unordered_map<AgentId, Index> copyOf;
   copyOf.reserve(size());
   for (Index i = 0; i < size(); ++i) copyOf.emplace(id_[i], i);
 
-  constexpr Index isNew = std::numeric_limits<Index>::max();
   std::vector<Index> order(agents.size(), isNew);
   for (Index i = 0; i < agents.size(); ++i) {
     const auto found = copyOf.find(agents.id[i]);
@@ -66,14 +83,7 @@ std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore
   std::vector<DisturbedPlace> left;
   for (const Index i : gone) left.push_back(placeOf(i));
 
-  const auto reorder = [&order](auto& values) {
-    std::remove_reference_t<decltype(values)> ordered(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      if (order[k] != isNew) ordered[k] = values[order[k]];
-    }
-    values = std::move(ordered);
-  };
-  reorder(x_), reorder(y_), reorder(z_), reorder(radius_), reorder(kind_), reorder(marks_);
+  take(order);
   id_ = agents.id;
   return left;
 }

@@ -25,6 +25,9 @@ class ReferenceConfiguration {
   /// place where the copy changed, old and new ones. Afterwards index i here is agent i there.
   std::vector<DisturbedPlace> follow(const AgentStore& agents, double tolerance);
 
+  /// To place k came the agent of order[k]. follow() would find that out by their ids, which takes longer.
+  void reorder(std::span<const Index> order);
+
   AgentShapes shapes() const { return {x_, y_, z_, radius_, kind_}; }
   /// A byte for each agent that goes with it through changes of order; 0 for a new one.
   std::span<std::uint8_t> marks() { return marks_; }
@@ -35,6 +38,8 @@ class ReferenceConfiguration {
   }
 
  private:
+  /// Puts the copy order[k] at place k, or a stand-in where that is `isNew`.
+  void take(std::span<const Index> order);
   /// Takes on the order of `agents`; returns the places of copies whose agent is gone.
   std::vector<DisturbedPlace> reorderLike(const AgentStore& agents);
   bool inOrderOf(const AgentStore& agents) const;

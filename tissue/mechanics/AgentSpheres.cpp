@@ -40,7 +40,10 @@ bool AgentSpheres::changed(Index i) const {
 }
 
 void AgentSpheres::remember(std::span<const Index> moved) {
-  for (const Index i : moved) spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  forEachInChunks(moved.size(), [&](std::size_t k) {
+    const Index i = moved[k];
+    spheres_[i] = {agents_.x[i], agents_.y[i], agents_.z[i], agents_.radius[i]};
+  });
   outgrown_ = outgrown_ || !fit(moved);
 }
 

@@ -18,11 +18,12 @@ void fixOuterLamina(Wall& wall) {
   }
 }
 
-void orderInSpace(Wall& wall) {
-  const std::vector<Index> order = spatialOrder(wall.agents);
+std::vector<Index> orderInSpace(Wall& wall) {
+  std::vector<Index> order = spatialOrder(wall.agents);
   wall.agents.reorder(order);
   wall.bonds.resize(wall.agents.size());
   wall.bonds.reorder(order);
+  return order;
 }
 
 }  // namespace restenosis

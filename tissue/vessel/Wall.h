@@ -44,7 +44,7 @@ void fixEnds(Wall& wall, double radii);
 void fixOuterLamina(Wall& wall);
 
 /// Orders agents, bonds included, so that neighbours in space are neighbours in memory (spatialOrder). Ids
-/// stay.
-void orderInSpace(Wall& wall);
+/// stay. Returns which agent was moved to each place.
+std::vector<Index> orderInSpace(Wall& wall);
 
 }  // namespace restenosis

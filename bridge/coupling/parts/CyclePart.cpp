@@ -17,7 +17,7 @@ constexpr double timeBetweenOrderings = secondsPerDay;  // [s]
 void CyclePart::run(const Instant& now) {
   auto measurement = world_.timer.measure("biology");
   const auto steps = std::max(1L, std::lround(timeBetweenOrderings / world_.scene.scene.step));
-  if (world_.divisions > 0 && now.step % steps == 0) orderInSpace(world_.wall);
+  if (world_.divisions > 0 && now.step % steps == 0) world_.biology.reorder(orderInSpace(world_.wall));
   AgentStore& agents = world_.wall.agents;
   const CycleReport report = world_.biology.advanceCycle(agents, world_.wall.bonds, now.time);
   world_.divisions += report.divisions;
