@@ -11,9 +11,10 @@ namespace restenosis {
 ///   to a twentieth.
 /// - Large arrays are of large pages (GLIBC_TUNABLES): a run hands out hundreds of megabytes a day anew, and
 ///   each page of 4 KiB costs a fault, which virtual machines make dear.
-/// - Arrays above a mebibyte go back to the system when they are freed. Left to itself glibc keeps them for
-///   later, up to 32 MiB each, and a vessel of half a million agents has a sixth more memory. Of smaller ones
-///   32 MiB in all are kept: they are asked for again in every step.
+/// - Arrays of up to 16 MiB stay with the program when they are freed, as does the end of the heap up to
+///   64 MiB: every step asks for them again, and what goes back to the system comes back a fault a page. Larger
+///   ones go back. Left to itself glibc keeps those of up to 32 MiB, and a vessel of 640,000 agents has a tenth
+///   more memory.
 ///
 /// The first two are read when a program is loaded, so it starts itself again once. Programs that it starts
 /// later have the user's GLIBC_TUNABLES, not its own.

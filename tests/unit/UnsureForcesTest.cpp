@@ -32,11 +32,7 @@ struct Row {
     unsure.know();
   }
   std::vector<Index> marked() const {
-    std::vector<Index> found;
-    for (Index i = 0; i < count; ++i) {
-      if (unsure.marked(i)) found.push_back(i);
-    }
-    return found;
+    return unsure.those([](Index) { return true; });
   }
   using Agents = std::vector<Index>;
 };

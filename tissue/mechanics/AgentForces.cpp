@@ -341,13 +341,12 @@ std::vector<Index> AgentForces::unsure(const MovingAgents& moving) {
   placeAll(moving);
   unsure_.markAroundMoving();
   spheres_.remember(unsure_.moving());
-  return agentsOf(free_, [this](Index i) { return unsure_.marked(i); });
+  return unsure_.those([this](Index i) { return isFree(i); });
 }
 
 void AgentForces::pressHeld() {
-  const std::vector<Index> held = agentsThat(size(), [this](Index i) {
-    return unsure_.marked(i) && agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
-  });
+  const std::vector<Index> held = unsure_.those(
+      [this](Index i) { return agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut; });
   forEachPiece(held.size(), [&](std::size_t begin, std::size_t end) {
     std::array<AgentLoad, chunkSize> loads;
     evaluateOnce(spheres_.exact(), std::span<const Index>(held).subspan(begin, end - begin), loads);

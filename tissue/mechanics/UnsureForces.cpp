@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "Chunks.h"
-#include "Room.h"
 
 namespace restenosis {
 namespace {
@@ -15,25 +14,25 @@ constexpr double beyondRounding = 1 + 1e-6;
 }  // namespace
 
 void UnsureForces::start(std::size_t agents) {
-  marked_.assign(agents, 1);
+  marked_ = {};
+  marked_.resize(agents);
   isMoving_.assign(agents, 0);
   moving_.clear();
 }
 
 void UnsureForces::append(std::size_t agents) {
-  makeRoom(marked_, agents);
-  marked_.resize(agents, 1);
+  marked_.resize(agents);
   makeRoom(isMoving_, agents);
   isMoving_.resize(agents, 0);
 }
 
-void UnsureForces::mark() { std::ranges::fill(marked_, 1); }
+void UnsureForces::mark() { marked_.setAll(); }
 
 void UnsureForces::mark(std::span<const Index> agents) {
-  for (const Index i : agents) marked_[i] = 1;
+  for (const Index i : agents) marked_.set(i);
 }
 
-void UnsureForces::know() { std::ranges::fill(marked_, 0); }
+void UnsureForces::know() { marked_.clear(); }
 
 void UnsureForces::startMoving(std::span<const Index> agents) {
   for (const Index i : agents) {
@@ -65,12 +64,11 @@ bool UnsureForces::mayHaveActed(Index i, Index j) const {
 void UnsureForces::markAround(std::span<const Index> agents) {
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const Index i = agents[k];
-    const auto markOne = [this](Index j) { std::atomic_ref(marked_[j]).store(1, std::memory_order_relaxed); };
-    markOne(i);
+    marked_.set(i);
     for (const Index j : neighbours_.of(i)) {
-      if (mayHaveActed(i, j)) markOne(j);
+      if (mayHaveActed(i, j)) marked_.set(j);
     }
-    for (const Bond& bond : bonds_.of(i)) markOne(bond.partner);
+    for (const Bond& bond : bonds_.of(i)) marked_.set(bond.partner);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "AgentMarks.h"
 #include "AgentSpheres.h"
 #include "AgentStore.h"
 #include "BondTable.h"
@@ -41,7 +42,11 @@ class UnsureForces {
   /// Every force is known.
   void know();
 
-  bool marked(Index i) const { return marked_[i] != 0; }
+  /// The agents whose forces are unsure and that are wanted(i), in ascending order.
+  template <class Wanted>
+  std::vector<Index> those(const Wanted& wanted) const {
+    return marked_.those(wanted);
+  }
 
  private:
   /// Whether agent i, were it there and so large, could act on agent j where AgentSpheres remembers it: who
@@ -55,7 +60,7 @@ class UnsureForces {
   const NeighbourList& neighbours_;
   const AgentSpheres& spheres_;
   NeighbourRange range_;
-  std::vector<std::uint8_t> marked_;
+  AgentMarks marked_;
   std::vector<std::uint8_t> isMoving_;
   std::vector<Index> moving_;
 };
