@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "Chunks.h"
 #include "RandomStream.h"
 
 namespace restenosis {
@@ -24,8 +25,9 @@ CoverageReport Endothelium::apply(AgentStore& agents, double time) const {
   };
   CoverageReport report;
   std::vector<Bare> bare;
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (agents.kind[i] != AgentKind::smc || !agents.has(i, exposed) || !agents.has(i, synthetic)) continue;
+  for (const Index i : agentsThat(agents.size(), [&](Index i) {
+         return agents.kind[i] == AgentKind::smc && agents.has(i, exposed) && agents.has(i, synthetic);
+       })) {
     ++report.exposed;
     if (agents.has(i, covered)) {
       ++report.covered;

@@ -20,6 +20,7 @@ struct StateCounts {
   double coverage() const {
     return exposedSynthetic > 0 ? static_cast<double>(coveredExposed) / exposedSynthetic : 0.0;
   }
+  void join(const StateCounts& other);
 };
 
 StateCounts countStates(const AgentStore& agents);
