@@ -68,7 +68,7 @@ void AgentForces::start() {
   unsure_.start(count);
   free_ = agentsThat(count, [this](Index i) { return isFree(i); });
   spheres_.choosePrecision();
-  project();
+  forEachInChunks(count, [&](std::size_t k) { project(static_cast<Index>(k)); });
   neighbours_.update(agents_, range_);
   spheres_.packAll();
 }
@@ -76,14 +76,18 @@ void AgentForces::start() {
 void AgentForces::refresh() {
   requireSound(agents_, bonds_);
   if (spheres_.outgrown() || !neighbours_.sameAgents(agents_)) return start();
-  project();
   const Index known = neighbours_.size();
   const std::size_t count = agents_.size();
   makeRoom(residual_, count);
   residual_.resize(count, 0);
   unsure_.append(count);
 
-  std::vector<Index> others = agentsThat(known, [this](Index i) { return spheres_.changed(i); });
+  // Both at once, for either takes as long as reading where all agents are
+  std::vector<Index> others = agentsThat(known, [this](Index i) {
+    project(i);
+    return spheres_.changed(i);
+  });
+  for (Index i = known; i < count; ++i) project(i);
   unsure_.markAround(others);
   for (Index i = known; i < count; ++i) {
     others.push_back(i);
@@ -138,16 +142,14 @@ void AgentForces::layOutAnew(MovingAgents& moving, std::span<const Index> change
   });
 }
 
-void AgentForces::project() {
-  if (constraints_.empty()) return;
-  forEachInChunks(agents_.size(), [&](std::size_t k) {
-    const auto i = static_cast<Index>(k);
-    if (!isFree(i)) return;
-    Vec3 position = agents_.position(i);
-    for (const Constraint* constraint : constraints_)
-      constraint->project(agents_.kind[i], agents_.radius[i], position);
-    agents_.setPosition(i, position);
-  });
+void AgentForces::project(Index i) {
+  if (!isFree(i)) return;
+  const Vec3 before = agents_.position(i);
+  if (roomOf(agents_.kind[i], agents_.radius[i], before) > 0) return;
+  Vec3 position = before;
+  for (const Constraint* constraint : constraints_)
+    constraint->project(agents_.kind[i], agents_.radius[i], position);
+  if (position != before) agents_.setPosition(i, position);
 }
 
 AgentMotion AgentForces::motionOf(Index i) const {

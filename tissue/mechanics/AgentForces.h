@@ -96,8 +96,8 @@ class AgentForces {
  private:
   /// Knows nothing yet: every force is unsure.
   void start();
-  /// Puts every free agent where its constraints allow.
-  void project();
+  /// Puts agent i, if it is free, where its constraints allow.
+  void project(Index i);
   /// Who acts on whom now.
   PairSource pairs() const;
   /// Makes the rows of these agents.
