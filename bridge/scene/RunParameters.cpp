@@ -84,13 +84,14 @@ void OutputParameters::describe(ParameterVisitor& p) {
                         .minimumAllowed = false,
                         .source = "none",
                         .description = "simulated time between recorded states"});
-  p.quantity(checkpointInterval, {.key = "checkpointInterval",
-                                  .unit = "d",
-                                  .minimum = 0,
-                                  .maximum = 10000,
-                                  .minimumAllowed = false,
-                                  .source = "none",
-                                  .description = "simulated time between checkpoints"});
+  p.quantity(checkpointInterval,
+             {.key = "checkpointInterval",
+              .unit = "d",
+              .minimum = 0,
+              .maximum = 10000,
+              .minimumAllowed = false,
+              .source = "none",
+              .description = "simulated time between checkpoints, beside one about every 30 s of work"});
   p.choice(keepFlowCases, {"last", "all"},
            {.key = "keepFlowCases", .source = "none", .description = "OpenFOAM cases to keep"});
   p.boolean(pictures, {.key = "pictures", .source = "none", .description = "draw PNG pictures at the end"});

@@ -44,8 +44,8 @@ struct OutputParameters {
   static constexpr std::string_view section = "output";
   static constexpr std::string_view summary = "What is written, and how often";
 
-  double interval = secondsPerDay;            ///< between recorded states [s]
-  double checkpointInterval = secondsPerDay;  ///< of simulated time [s]
+  double interval = secondsPerDay;                ///< between recorded states [s]
+  double checkpointInterval = 7 * secondsPerDay;  ///< of simulated time [s]
   std::string keepFlowCases = "last";
   bool pictures = true;
 

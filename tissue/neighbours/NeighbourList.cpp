@@ -27,7 +27,7 @@ constexpr double mostLookedUp = 0.1;
 constexpr std::uint32_t spareEntries = 8;
 // Agents of a piece whose rows are found by one thread: when all are, and when some are looked up, and then
 // how many are worth waking other threads for.
-constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 256;
+constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 64;
 // Pieces of which all rows are found before any of them is laid beside the others.
 constexpr std::size_t piecesAtOnce = 128;
 // Rows of a piece that are edited by one thread.
