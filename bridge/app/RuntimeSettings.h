@@ -12,9 +12,9 @@ namespace restenosis {
 /// - Large arrays are of large pages (GLIBC_TUNABLES): a run hands out hundreds of megabytes a day anew, and
 ///   each page of 4 KiB costs a fault, which virtual machines make dear.
 /// - Arrays of up to 16 MiB stay with the program when they are freed, as does the end of the heap up to
-///   64 MiB: every step asks for them again, and what goes back to the system comes back a fault a page. Larger
-///   ones go back. Left to itself glibc keeps those of up to 32 MiB, and a vessel of 640,000 agents has a tenth
-///   more memory.
+///   64 MiB: every step asks for them again, and what goes back to the system comes back a fault a page.
+///   Larger ones go back. Left to itself glibc keeps those of up to 32 MiB, and a vessel of 640,000 agents
+///   has a tenth more memory.
 ///
 /// The first two are read when a program is loaded, so it starts itself again once. Programs that it starts
 /// later have the user's GLIBC_TUNABLES, not its own.
