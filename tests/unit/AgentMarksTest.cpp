@@ -15,8 +15,6 @@ TEST(AgentMarks, OfNewAgentsAreSet) {
   marks.clear();
   marks.resize(5);
   EXPECT_EQ(marks.those(any), (std::vector<Index>{3, 4}));
-  EXPECT_FALSE(marks[2]);
-  EXPECT_TRUE(marks[3]);
 }
 
 TEST(AgentMarks, AreFoundInAscendingOrderWhicheverThreadSetThem) {

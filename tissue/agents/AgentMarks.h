@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +16,6 @@ namespace restenosis {
 /// any: little where few are set, or many that are near each other in the store.
 class AgentMarks {
  public:
-  bool operator[](Index i) const { return marks_[i] != 0; }
   /// Sets the mark of one of the agents; several threads may.
   void set(Index i) {
     std::atomic_ref(marks_[i]).store(1, std::memory_order_relaxed);
@@ -50,20 +48,10 @@ class AgentMarks {
     std::vector<std::size_t> pieces;
     for (std::size_t piece = 0; piece < any_.size(); ++piece)
       if (any_[piece] != 0) pieces.push_back(piece);
-    return gatherPieces(
+    return agentsAmong(
         pieces.size() * chunkSize,
-        [&](std::size_t of, std::size_t, std::vector<Index>& found) {
-          const std::size_t piece = pieces[of / chunkSize];
-          std::array<Index, chunkSize> kept;
-          Index* next = kept.data();
-          // Each is noted, and kept by counting it: no branch to be guessed wrong.
-          for (std::size_t i = begin(piece); i < end(piece); ++i) {
-            *next = static_cast<Index>(i);
-            next += marks_[i] != 0 && wanted(*next) ? 1 : 0;
-          }
-          found.assign(kept.data(), next);
-        },
-        parallelLookFrom);
+        [&](std::size_t k) { return static_cast<Index>(begin(pieces[k / chunkSize]) + k % chunkSize); },
+        [&](Index i) { return i < marks_.size() && marks_[i] != 0 && wanted(i); });
   }
 
  private:
