@@ -42,6 +42,17 @@ TEST(RowPool, TakesRowsOneAfterTheOther) {
   EXPECT_FALSE(pool.wasteful());
 }
 
+TEST(RowPool, ReservedRoomKeepsRowsWhereTheyAre) {
+  RowPool<int> pool;
+  pool.reserve(100, 1000);
+  const std::vector<int> row(10, 7);
+  pool.addRow(row);
+  const int* const first = pool[0].data();
+  for (int n = 1; n < 100; ++n) pool.addRow(row);
+  EXPECT_EQ(pool[0].data(), first);
+  EXPECT_EQ(rowsOf(pool), Rows(100, row));
+}
+
 TEST(RowPool, GivesRowsRoomWithoutChangingThem) {
   RowPool<int> pool = longAndShort();
   const Rows before = rowsOf(pool);

@@ -79,8 +79,11 @@ class RowPool {
     elements_.resize(end);
     for (const Row& row : rows_) clearSpare(row);
   }
-  /// Makes room for so many rows.
-  void reserve(std::size_t rows) { rows_.reserve(rows); }
+  /// Makes room for so many rows, which have so many elements together.
+  void reserve(std::size_t rows, std::size_t elements) {
+    rows_.reserve(rows);
+    elements_.reserve(elements);
+  }
   /// Appends a row of these elements, without room for more. Throws as append() does.
   void addRow(std::span<const T> elements) {
     resize(size() + 1);

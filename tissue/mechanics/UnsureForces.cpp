@@ -62,13 +62,17 @@ bool UnsureForces::mayHaveActed(Index i, Index j) const {
 }
 
 void UnsureForces::markAround(std::span<const Index> agents) {
-  forEachInChunks(agents.size(), [&](std::size_t k) {
-    const Index i = agents[k];
-    marked_.set(i);
-    for (const Index j : neighbours_.of(i)) {
-      if (mayHaveActed(i, j)) marked_.set(j);
+  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
+    const auto piece = agents.subspan(begin, end - begin);
+    neighbours_.readAhead(piece);
+    bonds_.readAhead(piece);
+    for (const Index i : piece) {
+      marked_.set(i);
+      for (const Index j : neighbours_.of(i)) {
+        if (mayHaveActed(i, j)) marked_.set(j);
+      }
+      for (const Bond& bond : bonds_.of(i)) marked_.set(bond.partner);
     }
-    for (const Bond& bond : bonds_.of(i)) marked_.set(bond.partner);
   });
 }
 

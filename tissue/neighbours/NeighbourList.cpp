@@ -28,6 +28,10 @@ constexpr std::uint32_t spareEntries = 8;
 // Agents of a piece whose rows are found by one thread: when all are, and when some are looked up, and then
 // how many are worth waking other threads for.
 constexpr std::ptrdiff_t agentsOfPiece = 512, lookUpsOfPiece = 16, parallelFromLookUps = 64;
+// Room for the rows of a new list, over what those found first let expect: they grow by half or more before
+// the list is built anew. What is not used takes no memory, and an array that must grow leaves the large
+// pages it was on.
+constexpr double roomForRows = 2;
 // Pieces of which all rows are found before any of them is laid beside the others.
 constexpr std::size_t piecesAtOnce = 128;
 // Rows of a piece that are edited by one thread.
@@ -157,7 +161,6 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
   };
   std::vector<Piece> pieces(piecesAtOnce);
   RowPool<Index> rows;
-  rows.reserve(anchors_.size());
   for (std::size_t first = 0; first < anchors_.size(); first += piecesAtOnce * agentsOfPiece) {
     const std::size_t count = std::min(anchors_.size() - first, piecesAtOnce * agentsOfPiece);
     const auto search = [&](std::size_t begin, std::size_t end) {
@@ -170,6 +173,12 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
       }
     };
     forEachPiece(count, search, agentsOfPiece, agentsOfPiece);
+    if (first == 0) {
+      std::size_t found = 0;
+      for (const Piece& piece : pieces) found += piece.found.size();
+      const double ofAll = static_cast<double>(found) / static_cast<double>(count) * size();
+      rows.reserve(size(), static_cast<std::size_t>(roomForRows * ofAll));
+    }
     for (std::size_t begin = 0; begin < count; begin += agentsOfPiece) {
       std::span<const Index> found(pieces[begin / agentsOfPiece].found);
       for (const std::uint32_t length : pieces[begin / agentsOfPiece].lengths) {
@@ -306,7 +315,10 @@ NeighbourList::Rows NeighbourList::setRowsBy(std::span<const Edit> edits) {
   }
   return inPieces(ofRows.size(), editsOfPiece, [&](std::size_t begin, std::size_t end, Rows& part) {
     thread_local std::vector<Index> row;
-    for (const auto& ofRow : std::span(ofRows).subspan(begin, end - begin)) {
+    const auto piece = std::span(ofRows).subspan(begin, end - begin);
+    for (const auto& ofRow : piece) rows_.readRoomAhead(ofRow.front().row);
+    for (const auto& ofRow : piece) rows_.readAhead(ofRow.front().row);
+    for (const auto& ofRow : piece) {
       apply(ofRow, row);
       setRow(ofRow.front().row, row, part);
     }
