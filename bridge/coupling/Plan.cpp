@@ -14,6 +14,7 @@
 #include "SceneChecks.h"
 #include "SecondsPerDay.h"
 #include "Units.h"
+#include "WallTable.h"
 #include "World.h"
 
 namespace restenosis {
@@ -77,21 +78,25 @@ LumenGrid lumenGrid(const Scene& scene) {
           scene.coupling.surfaceResolution};
 }
 
-/// Agents, memory and time of the tissue, or empty where there is none.
-std::string costText(const Scene& scene, std::uint32_t steps) {
+/// Agents, memory and time of the tissue, or empty where there is none; and what is to be said of a loaded
+/// wall.
+std::string tissueText(const Scene& scene, std::uint32_t steps) {
   if (!scene.hasTissue()) return "";
   const CostEstimate cost;
   const bool loaded = !scene.vessel.agents.empty();
-  const double agents =
-      loaded ? readAgentTable(scene.vessel.agents).agents.size() : std::round(estimatedAgents(scene));
+  const AgentStore wall = loaded ? readAgentTable(scene.vessel.agents).agents : AgentStore();
+  const double agents = loaded ? wall.size() : std::round(estimatedAgents(scene));
   const double packing = loaded ? 0 : cost.packSecondsPerAgent;
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
   const double seconds = agents * (packing + deploySteps * cost.deploySecondsPerStep +
                                    (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
   const double bytes = cost.programBytes + agents * cost.bytesPerAgent +
                        static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;
-  return fmt::format("{}{:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
-                     loaded ? "" : "about ", agents, bytes / 1e6, seconds);
+  std::string text =
+      fmt::format("{}{:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
+                  loaded ? "" : "about ", agents, bytes / 1e6, seconds);
+  if (const std::string ends = remarkOnOpenEnds(scene.vessel, wall); !ends.empty()) text += ends + "\n";
+  return text;
 }
 
 }  // namespace
@@ -159,7 +164,7 @@ std::string planText(const Scene& scene) {
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
   for (const PlannedPart& part : planParts(scene))
     text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
-  return text + costText(scene, steps);
+  return text + tissueText(scene, steps);
 }
 
 }  // namespace restenosis

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "AtomicFile.h"
 #include "CyclePart.h"
@@ -161,8 +163,12 @@ void Run::endAs(const char* status) {
 
 Wall Run::initialWall() const {
   const VesselParameters& vessel = scene_.vessel;
-  if (!vessel.agents.empty())
-    return adoptWall(vessel, readWallTable(vessel, scene_.stent ? &*scene_.stent : nullptr));
+  if (!vessel.agents.empty()) {
+    Wall wall = adoptWall(vessel, readWallTable(vessel, scene_.stent ? &*scene_.stent : nullptr));
+    // A packed wall's were set when it came to rest; injury may ask for them before this one does
+    ForceField(*scene_.mechanics).setPressures(wall.agents, wall.bonds);
+    return wall;
+  }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
                   *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
 }
@@ -174,6 +180,7 @@ void Run::prepareWall() {
     world_.progress.stage(stage, 0, 1);
     world_.wall = initialWall();
     world_.progress.stage(stage, 1, 1);
+    if (!scene_.vessel.agents.empty()) remark(remarkOnOpenEnds(scene_.vessel, world_.wall.agents));
   }
   stage_ = Stage::deploying;
   saveCheckpoint();
@@ -183,12 +190,7 @@ void Run::deploy() {
   if (scene_.stent) {
     auto measurement = world_.timer.measure("deploy");
     deployStent();
-    if (const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents); pressed > 0)
-      world_.remarks.push_back(
-          fmt::format("after deployment {} of {} agents are pressed deeper than the contact law holds for; "
-                      "its continuation "
-                      "acts on them",
-                      pressed, world_.wall.agents.size()));
+    remarkOnLaw("after deployment");
   }
   startGrowth();
 }
@@ -208,6 +210,15 @@ void Run::deployStent() {
   world_.deployment = deployment.statistics();
   remark(remarkOnEscaped(*world_.deployment, deployment.steps()));
   requireWallOutsideStruts(*world_.deployment, deployment.steps());
+}
+
+void Run::remarkOnLaw(const std::string& when) {
+  constexpr std::string_view what =
+      "agents are pressed deeper than the contact law holds for; its continuation acts on them";
+  const auto tellsSo = [&](const std::string& text) { return text.find(what) != std::string::npos; };
+  if (std::ranges::any_of(world_.remarks, tellsSo)) return;
+  const Index pressed = ForceField(*scene_.mechanics).agentsBeyondLaw(world_.wall.agents);
+  if (pressed > 0) remark(fmt::format("{} {} of {} {}", when, pressed, world_.wall.agents.size(), what));
 }
 
 void Run::remark(const std::string& text) {
@@ -289,6 +300,8 @@ void Run::grow() {
     checkpointWhenDue(now.last ||
                       nextToMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
     schedule_->advance(now);
+    if (now.recorded && scene_.hasTissue())
+      remarkOnLaw(fmt::format("on day {:.4g}", now.time / secondsPerDay));
     reportProgress(now);
     if (now.last) break;
   }

@@ -60,6 +60,8 @@ class Run {
   void deployStent();
   /// Adds a remark, if there is one, and says it.
   void remark(const std::string& text);
+  /// Says, once, that the contact law's continuation acts on agents.
+  void remarkOnLaw(const std::string& when);
   void injureWall();
   void startGrowth();
   void buildSchedule();

@@ -52,6 +52,7 @@ void writeTissue(const std::filesystem::path& file, const AgentStore& agents, do
     addArray<vtkUnsignedCharArray>(arrays, name, n, 1, get);
   };
   floats("radius", agents.radius);
+  floats("birthRadius", agents.birthRadius);
   bytes("kind", [&](std::size_t i, int) { return agents.kind[i]; });
   bytes("state", [&](std::size_t i, int) { return agents.state[i]; });
   floats("stress", agents.pressure);

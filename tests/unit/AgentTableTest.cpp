@@ -29,6 +29,7 @@ TEST_F(AgentTableTest, ReadsWhatItWrote) {
   AgentStore agents;
   agents.append(AgentKind::iel, {915e-6, -1.25e-9, 1.0 / 3 * 1e-3}, 15e-6);
   agents.append(AgentKind::strut, {0, 0, 0}, 7.5e-6);
+  agents.birthRadius[0] = 12.5e-6;
   writeAgentTable(file, agents);
   const AgentStore read = readAgentTable(file).agents;
   ASSERT_EQ(read.size(), 2u);
@@ -36,7 +37,15 @@ TEST_F(AgentTableTest, ReadsWhatItWrote) {
     EXPECT_LT((read.position(i) - agents.position(i)).norm(), 1e-18);
     EXPECT_NEAR(read.radius[i], agents.radius[i], 1e-20);
     EXPECT_EQ(read.kind[i], agents.kind[i]);
+    EXPECT_NEAR(read.birthRadius[i], agents.birthRadius[i], 1e-20);
   }
+}
+
+TEST_F(AgentTableTest, CellsAreAsLargeAsTheyWereBornUnlessItSaysOtherwise) {
+  write("x,y,z,radius\n1,2,3,18\n");
+  EXPECT_EQ(readAgentTable(file).agents.birthRadius[0], readAgentTable(file).agents.radius[0]);
+  write("x,y,z,birthRadius,radius\n1,2,3,15,18\n1,2,9,15,18.898\n1,2,9,15,15\n");
+  for (const double atBirth : readAgentTable(file).agents.birthRadius) EXPECT_NEAR(atBirth, 15e-6, 1e-18);
 }
 
 TEST_F(AgentTableTest, TakesColumnsInAnyOrderAndTheDefaultKind) {
@@ -79,7 +88,7 @@ TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
   const std::pair<std::string, std::string> cases[] = {
       {"x,y,z\n1,2,3\n", ":1: column 'radius' is missing"},
       {"x,y,z,radius,colour\n",
-       ":1: unknown column 'colour'. Allowed: x, y, z, radius, kind (lengths in um)"},
+       ":1: unknown column 'colour'. Allowed: x, y, z, radius, kind, birthRadius (lengths in um)"},
       {"x,y,z,radus\n", ":1: unknown column 'radus'; did you mean 'radius'? Allowed: x"},
       {"x,y,x,radius\n", ":1: column 'x' appears twice"},
       {header + "1,2,3,15\n", ":2: 4 cells where the header names 5 columns"},
@@ -94,6 +103,11 @@ TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
       {header + "1,2,3,15,ecm\n",
        ":2: unknown kind 'ecm'; did you mean 'smc'? Allowed: smc, iel, eel, strut"},
       {header + "1,2,3,15,collagen\n", ":2: unknown kind 'collagen'. Allowed: smc, iel, eel, strut"},
+      {"x,y,z,radius,birthRadius\n1,2,3,18,14\n",
+       ":2: a birthRadius of 14 um; allowed are 14.2866 to 18 um: a cell of the radius 18 um has at most "
+       "twice"},
+      {"x,y,z,radius,birthRadius\n1,2,3,18,19\n", ":2: a birthRadius of 19 um; allowed are 14.2866 to 18 um"},
+      {"x,y,z,radius,birthRadius\n1,2,3,18,\n", ":2: column 'birthRadius': '' is not a finite number"},
       {header, ": holds no agents"}};
   for (const auto& [text, message] : cases) {
     const std::string error = errorOf(text);

@@ -319,5 +319,42 @@ TEST(ForceField, CountsWhomTheContactLawDoesNotHoldFor) {
   EXPECT_EQ(beyond("hertz"), 0u);
 }
 
+TEST(ForceField, CountsThemAsAComparisonOfAllPairsDoes) {
+  RandomStream random(7, 0, 0, RandomPurpose::packing);
+  AgentStore agents;
+  for (int n = 0; n < 400; ++n) {
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    agents.append(AgentKind::smc, 20 * r * Vec3(x, y, z), r * (1 + 3 * random.uniform()));
+  }
+  const ContactLaw& law = contactLaw("hertzNeoHookean");
+  Index expected = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    bool beyond = false;
+    for (Index j = 0; j < agents.size(); ++j) {
+      const double radii = agents.radius[i] + agents.radius[j];
+      const double overlap = radii - (agents.position(i) - agents.position(j)).norm();
+      beyond |= j != i && overlap > law.validOverlap(agents.radius[i] * agents.radius[j] / radii);
+    }
+    expected += beyond;
+  }
+  EXPECT_GT(expected, 0u);
+  EXPECT_LT(expected, 400u);
+  EXPECT_EQ(ForceField(ofLaw("hertzNeoHookean")).agentsBeyondLaw(agents), expected);
+}
+
+TEST(ForceField, SetsThePressureOfAllButStruts) {
+  AgentStore agents;
+  agents.append(AgentKind::smc, {0, 0, 0}, r);
+  agents.append(AgentKind::iel, {1.5 * r, 0, 0}, r);
+  agents.append(AgentKind::strut, {0, 1.5 * r, 0}, r);
+  BondTable bonds;
+  bonds.resize(3);
+  const ForceField field(ofLaw("hertz"));
+  const auto loads = field.evaluate(agents, bonds);
+  field.setPressures(agents, bonds);
+  EXPECT_GT(loads[0].pressure, loads[1].pressure);
+  EXPECT_EQ(agents.pressure, (std::vector<double>{loads[0].pressure, loads[1].pressure, 0}));
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -20,6 +20,10 @@ TEST(InjuryRemark, SaysWhatAnInjuryWithoutEffectLacked) {
   injury.largestStrain = 0.01;
   EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "nowhere stretched by more than 0.045"));
   EXPECT_TRUE(contains(remarkOnInjury(injury, parameters), "by 0.01)"));
+  InjuryParameters byStress;
+  byStress.ielBreaks = true, byStress.stressLimit = 2e3;
+  EXPECT_FALSE(contains(remarkOnInjury(injury, parameters), "injury.stressLimit"));
+  EXPECT_TRUE(contains(remarkOnInjury(injury, byStress), "nor is its stress past injury.stressLimit"));
   injury.stretched = 3;
   EXPECT_TRUE(
       contains(remarkOnInjury(injury, parameters), "of 3 stretched agents of the IEL chance took none"));

@@ -138,6 +138,22 @@ TEST_F(WallTable, AWallTooSmallForTheVesselIsRefused) {
   EXPECT_FINDING(finding(wall()), ": no agent stands between z = 194 and 1200 um");
 }
 
+TEST_F(WallTable, AWallThatIsHeldAtOneEndOnlyIsRemarkedOn) {
+  writeText(vessel.agents, wall());
+  const AgentStore agents = readWallTable(vessel, nullptr);
+  EXPECT_EQ(remarkOnOpenEnds(vessel, agents), "");
+  vessel.length = 0.25e-3;
+  EXPECT_NE(remarkOnOpenEnds(vessel, agents).find("stands between z = 5 and 194 um of a vessel of 250 um"),
+            std::string::npos)
+      << remarkOnOpenEnds(vessel, agents);
+  vessel.fixedEnds = 0;
+  EXPECT_EQ(remarkOnOpenEnds(vessel, agents), "");
+  vessel.fixedEnds = 2;
+  AgentStore cells;
+  cells.append(AgentKind::smc, {300e-6, 0, 100e-6}, 15e-6);
+  EXPECT_EQ(remarkOnOpenEnds(vessel, cells), "");
+}
+
 TEST_F(WallTable, AStentOutsideOfTheWallIsRefused) {
   vessel.lumenDiameter = 0.9e-3;
   EXPECT_EQ(finding(wall()), "accepted");

@@ -18,7 +18,7 @@ struct ContactLaw {
   Loop<FixedSpheres> evaluateMixed;
   Loop<ExactSpheres> evaluateExact;
   double (*energy)(double modulus, double overlap, double reducedRadius);
-  double (*validOverlap)(double reducedRadius);
+  double (*validOverlap)(double reducedRadius);  ///< in proportion to it, or infinite
 };
 
 /// The law called `name`. Throws std::invalid_argument naming the known ones.

@@ -47,6 +47,12 @@ std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const Bond
   return loads;
 }
 
+void ForceField::setPressures(AgentStore& agents, const BondTable& bonds) const {
+  const std::vector<AgentLoad> loads = evaluate(agents, bonds);
+  for (Index i = 0; i < agents.size(); ++i)
+    if (agents.kind[i] != AgentKind::strut) agents.pressure[i] = loads[i].pressure;
+}
+
 double ForceField::energy(const AgentStore& agents, const BondTable& bonds) const {
   NeighbourList neighbours;
   neighbours.build(agents, range(0));
@@ -73,8 +79,13 @@ double ForceField::energy(const AgentStore& agents, const BondTable& bonds) cons
 }
 
 Index ForceField::agentsBeyondLaw(const AgentStore& agents) const {
+  if (agents.size() == 0) return 0;
+  // Those most unlike in size may come nearest, in shares of R1 + R2, before the law ends
+  const auto [least, most] = std::ranges::minmax(agents.radius);
+  const double nearest = 1 - law_->validOverlap(least * most / (least + most)) / (least + most);
+  if (!(nearest > 0)) return 0;
   NeighbourList neighbours;
-  neighbours.build(agents, range(0));
+  neighbours.build(agents, {.factor = nearest, .daughterFactor = nearest, .skin = 0});
   const auto isBeyond = [&](Index i, Index j) {
     const double radii = agents.radius[i] + agents.radius[j];
     const double overlap = radii - (agents.position(i) - agents.position(j)).norm();

@@ -52,6 +52,9 @@ class ForceField {
   /// Loads of all agents in double precision, for those who need them once: makes its own neighbour list.
   std::vector<AgentLoad> evaluate(const AgentStore& agents, const BondTable& bonds) const;
 
+  /// Sets the pressures of all agents, but for struts, to those of where they stand.
+  void setPressures(AgentStore& agents, const BondTable& bonds) const;
+
   /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].
   double energy(const AgentStore& agents, const BondTable& bonds) const;
 

@@ -26,8 +26,12 @@ constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 constexpr std::array<std::pair<std::string_view, AgentKind>, 4> kinds = {
     {{"smc", AgentKind::smc}, {"iel", AgentKind::iel}, {"eel", AgentKind::eel}, {"strut", AgentKind::strut}}};
 
-enum Column { columnX, columnY, columnZ, columnRadius, columnKind, columnCount };
-constexpr std::array<std::string_view, columnCount> columnNames = {"x", "y", "z", "radius", "kind"};
+enum Column { columnX, columnY, columnZ, columnRadius, columnKind, columnBirthRadius, columnCount };
+constexpr std::array<std::string_view, columnCount> columnNames = {"x",      "y",    "z",
+                                                                   "radius", "kind", "birthRadius"};
+
+// Of a radius: what digits that were left out may change.
+constexpr double rounding = 1e-3;
 
 // Quotes too, as spreadsheets write them.
 constexpr std::string_view blanks = " \t\r\"";
@@ -127,7 +131,20 @@ class TableReader {
     }
     if (!(value[columnRadius] > 0)) fail("the radius must be larger than 0 um");
     const AgentKind kind = place_[columnKind] ? kindOf(cells[*place_[columnKind]]) : defaultKind_;
-    agents.append(kind, {value[columnX], value[columnY], value[columnZ]}, value[columnRadius]);
+    const Index i =
+        agents.append(kind, {value[columnX], value[columnY], value[columnZ]}, value[columnRadius]);
+    if (place_[columnBirthRadius])
+      agents.birthRadius[i] = birthRadius(cells[*place_[columnBirthRadius]], agents.radius[i]);
+  }
+
+  double birthRadius(std::string_view cell, double radius) const {
+    const double atBirth = um * number(cell, columnNames[columnBirthRadius]);
+    const double least = radius / std::cbrt(2.0);
+    if (atBirth >= least * (1 - rounding) && atBirth <= radius * (1 + rounding)) return atBirth;
+    fail(fmt::format(
+        "a birthRadius of {:.6g} um; allowed are {:.6g} to {:.6g} um: a cell of the radius {:.6g} "
+        "um has at most twice the volume of its birth, and not less than it",
+        atBirth / um, least / um, radius / um, radius / um));
   }
 
   double number(std::string_view cell, std::string_view column) const {
@@ -182,10 +199,11 @@ AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKi
 
 void writeAgentTable(const std::filesystem::path& file, const AgentStore& agents) {
   std::ofstream stream(file);
-  stream << "x,y,z,radius,kind\n";
+  stream << "x,y,z,radius,kind,birthRadius\n";
   for (Index i = 0; i < agents.size(); ++i) {
-    stream << fmt::format("{},{},{},{},{}\n", agents.x[i] / um, agents.y[i] / um, agents.z[i] / um,
-                          agents.radius[i] / um, kinds[static_cast<std::size_t>(agents.kind[i])].first);
+    stream << fmt::format("{},{},{},{},{},{}\n", agents.x[i] / um, agents.y[i] / um, agents.z[i] / um,
+                          agents.radius[i] / um, kinds[static_cast<std::size_t>(agents.kind[i])].first,
+                          agents.birthRadius[i] / um);
   }
   stream.flush();
   if (!stream) throw AgentTableError(fmt::format("{}: cannot be written", file.string()));

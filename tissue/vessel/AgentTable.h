@@ -29,11 +29,13 @@ struct AgentTable {
 };
 
 /// Reads agents from a CSV table. The first line that is neither empty nor a comment names the columns, in
-/// any order: x, y, z, radius [um] and kind (smc, iel, eel, strut; without the column every agent is
-/// `defaultKind`). A comment goes from # to the end of its line. Ids are given in the order of the lines.
-/// Throws AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite
-/// number, a radius that is not positive, an unknown kind, or a table without agents. Whether the agents fit
-/// a vessel is for readWallTable and outwardsToLumen to say.
+/// any order: x, y, z, radius [um], kind (smc, iel, eel, strut; without the column every agent is
+/// `defaultKind`) and birthRadius [um] (without the column, the radius: every cell is as large as it was
+/// born). A comment goes from # to the end of its line. Ids are given in the order of the lines. Throws
+/// AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite number,
+/// a radius that is not positive, a radius at birth from which no cell grows to its present one, an unknown
+/// kind, or a table without agents. Whether the agents fit a vessel is for readWallTable and outwardsToLumen
+/// to say.
 AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
 /// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be

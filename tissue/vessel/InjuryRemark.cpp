@@ -11,8 +11,10 @@ std::string whatWasMissing(const InjuryReport& injury, const InjuryParameters& p
   if (injury.stretched == 0)
     return fmt::format(
         "the IEL is nowhere stretched by more than {:.3g} (injury.stretchedStrain; its most strained bond by "
-        "{:.3g}), which is what a stent does",
-        parameters.stretchedStrain, injury.largestStrain);
+        "{:.3g}), which is what a stent does{}",
+        parameters.stretchedStrain, injury.largestStrain,
+        parameters.ielBreaks && parameters.stressLimit > 0 ? ", nor is its stress past injury.stressLimit"
+                                                           : "");
   return fmt::format(
       "of {} stretched agents of the IEL chance took none (injury.fenestrationProbability = {:.3g})",
       injury.stretched, parameters.fenestrationProbability);

@@ -91,7 +91,8 @@ void VesselParameters::describe(ParameterVisitor& p) {
   p.file(agents,
          {.key = "agents",
           .source = "none",
-          .description = "CSV table of agents (x, y, z, radius in um; kind) to load instead of packing"});
+          .description = "CSV table of agents (x, y, z, radius in um; kind, birthRadius) to load instead of "
+                         "packing"});
 }
 
 }  // namespace restenosis

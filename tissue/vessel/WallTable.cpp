@@ -21,6 +21,11 @@ constexpr double leastShareOfOuter = 0.5;  // reached by the outermost agent
 constexpr double longestGap = 0.25;        // without agents, of the vessel's length
 constexpr int octants = 8;                 // about the axis, none of them empty
 
+bool hasLamina(const AgentStore& agents) {
+  return std::ranges::any_of(agents.kind,
+                             [](AgentKind kind) { return kind == AgentKind::iel || kind == AgentKind::eel; });
+}
+
 class WallTableCheck {
  public:
   WallTableCheck(const AgentTable& table, const VesselParameters& vessel, const StentParameters* stent)
@@ -31,7 +36,7 @@ class WallTableCheck {
     const auto isStrut = [](AgentKind kind) { return kind == AgentKind::strut; };
     if (std::ranges::all_of(agents_.kind, isStrut)) fail("has struts only; a wall has smc, iel or eel, too");
     checkOutermost();
-    if (stent_ || hasLamina()) {
+    if (stent_ || hasLamina(agents_)) {
       checkSectors();
       checkGaps();
     }
@@ -40,11 +45,6 @@ class WallTableCheck {
 
  private:
   double reach(Index i) const { return radiusOf(agents_.position(i)) + agents_.radius[i]; }
-
-  bool hasLamina() const {
-    return std::ranges::any_of(
-        agents_.kind, [](AgentKind kind) { return kind == AgentKind::iel || kind == AgentKind::eel; });
-  }
 
   [[noreturn]] void fail(const std::string& message) const {
     throw AgentTableError(fmt::format("{}: {}", table_.file.string(), message));
@@ -145,6 +145,18 @@ AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* 
   AgentTable table = readAgentTable(vessel.agents, AgentKind::smc);
   WallTableCheck(table, vessel, stent).check();
   return std::move(table.agents);
+}
+
+std::string remarkOnOpenEnds(const VesselParameters& vessel, const AgentStore& agents) {
+  const double held = vessel.fixedEnds * vessel.cellRadius;
+  if (held == 0 || !hasLamina(agents)) return {};
+  const auto [first, last] = std::ranges::minmax(agents.z);
+  if (first < held && last > vessel.length - held) return {};
+  return fmt::format(
+      "the wall of {} stands between z = {:.6g} and {:.6g} um of a vessel of {:.6g} um (vessel.length): "
+      "agents are held within {:.6g} um of the vessel's ends (vessel.fixedEnds), and where none is, the "
+      "wall can grow out of its cut face",
+      vessel.agents, first / um, last / um, vessel.length / um, held / um);
 }
 
 }  // namespace restenosis

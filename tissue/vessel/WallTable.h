@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "AgentTable.h"
 #include "StentParameters.h"
 #include "VesselParameters.h"
@@ -13,5 +15,9 @@ namespace restenosis {
 /// the place that the stent is pressed to. Throws AgentTableError, with the line of the first agent that does
 /// not fit.
 AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* stent);
+
+/// What is to be said of a wall with laminae that reaches less far than `vessel.length`: nobody stands where
+/// the ends are held, so that the wall can grow out of its cut face. Empty where there is nothing to say.
+std::string remarkOnOpenEnds(const VesselParameters& vessel, const AgentStore& agents);
 
 }  // namespace restenosis
