@@ -102,6 +102,24 @@ void atomicWrite(const fs::path& file, std::string_view text) {
   atomicWrite(file, [text](const PieceWriter& write) { write(text); });
 }
 
+void requireRoom(const fs::path& folder) {
+  static constexpr std::size_t tried = 65536;
+  const fs::path file = folder / ".room";
+  const int handle = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  int error = handle < 0 ? errno : 0;
+  if (handle >= 0) {
+    const std::string text(tried, '\0');
+    const ssize_t written = ::write(handle, text.data(), text.size());
+    // What fits is written, and only the next write says why there is no more
+    if (written < 0 || (written < static_cast<ssize_t>(tried) && ::write(handle, text.data(), tried) < 0))
+      error = errno;
+    if (::close(handle) != 0 && error == 0) error = errno;
+    ::unlink(file.c_str());
+  }
+  if (isForWantOfRoom(error))
+    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), writeFailureReason(error)));
+}
+
 void createFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

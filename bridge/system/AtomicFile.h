@@ -30,6 +30,10 @@ using PieceWriter = std::function<void(std::string_view)>;
 void atomicWrite(const std::filesystem::path& file, const std::function<void(const PieceWriter&)>& content);
 void atomicWrite(const std::filesystem::path& file, std::string_view text);
 
+/// Tries whether a folder has room for a file of 64 KiB, which it removes again: throws WriteFailed where
+/// disk, quota or size limit are used up. For those who wonder why a program failed there that does not say.
+void requireRoom(const std::filesystem::path& folder);
+
 /// Creates a folder and those above it; throws WriteFailed.
 void createFolder(const std::filesystem::path& folder);
 

@@ -109,8 +109,8 @@ TEST_P(FoamExecutionFaults, solverKilledInMidSolveIsNamedWithItsLog) {
     });
     found = failure(endless(), {.ranks = GetParam()}, scratch / "case");
   }
-  EXPECT_SAYS(found.message, "simpleFoam: signal 9 (Killed)");
-  EXPECT_SAYS(found.message, "a first attempt");
+  EXPECT_SAYS(found.message, "simpleFoam was killed from outside, or by the system for want of memory");
+  EXPECT_EQ(found.message.find("first attempt"), std::string::npos);
   EXPECT_EQ(found.log, scratch / "case/log.simpleFoam");
   EXPECT_TRUE(fs::exists(found.log));
   EXPECT_TRUE(allEnd(scratch.path(), "simpleFoam"));

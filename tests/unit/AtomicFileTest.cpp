@@ -38,6 +38,16 @@ TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.partial"));
 }
 
+TEST(AtomicFile, TellsAFolderWithoutRoom) {
+  TemporaryFolder folder;
+  EXPECT_NO_THROW(requireRoom(folder.path()));
+  for (const rlim_t bytes : {0, 4096}) {
+    FileSizeLimit full(bytes);
+    EXPECT_THROW(requireRoom(folder.path()), WriteFailed) << bytes;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(AtomicFile, NamesAFolderThatIsNotThere) {
   TemporaryFolder folder;
   EXPECT_THROW(atomicWrite(folder / "missing/a.txt", "text"), WriteFailed);

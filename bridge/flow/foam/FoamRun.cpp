@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 
 #include "AtomicFile.h"
 #include "FoamLog.h"
@@ -37,7 +38,16 @@ FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& 
       execution_(execution) {}
 
 void FoamRun::fail(const std::string& program, const std::string& reason) const {
+  requireRoomAfter(program);
   throw FoamStepFailed(fmt::format("{}: {}", program, reason), log(program));
+}
+
+void FoamRun::requireRoomAfter(const std::string& program) const {
+  try {
+    requireRoom(folder_);
+  } catch (const WriteFailed& full) {
+    throw WriteFailed(fmt::format("{} failed: {}", program, full.what()));
+  }
 }
 
 void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments, On on) {
@@ -48,11 +58,18 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
   } catch (const ProgramMissing& missing) {
     throw FlowFailed(missingProgramText(missing.program), {});
   } catch (const std::runtime_error& error) {
+    requireRoomAfter(program);
     throw FlowFailed(fmt::format("{}: {}", program, error.what()), log(program));
   }
   (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) += exit.seconds;
   if (exit.interrupted())
     throw FlowFailed(fmt::format("{} was interrupted: {}", program, exit.describe()), log(program));
+  if (exit.signal == SIGKILL) {
+    requireRoomAfter(program);
+    throw FlowFailed(fmt::format("{} was killed from outside, or by the system for want of memory: {}",
+                                 program, exit.describe()),
+                     log(program));
+  }
   if (exit.succeeded()) return;
   const auto reason = foamLog::fatalError(foamLog::read(log(program)));
   fail(program, reason ? fmt::format("{}: {}", exit.describe(), *reason) : exit.describe());

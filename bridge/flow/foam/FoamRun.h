@@ -28,8 +28,9 @@ struct MorphRefused : std::runtime_error {
 };
 
 /// One attempt at a case: runs OpenFOAM's programs in a folder that holds a filled template, and checks what
-/// each has done. The steps throw FoamStepFailed, or FlowFailed where another attempt would be vain: a
-/// program missing, an interruption, a closed lumen. On several ranks the case is decomposed before
+/// each has done. The steps throw FoamStepFailed, FlowFailed where another attempt would be vain or would
+/// change a sound result (a program missing, an interruption, a program that was killed, a closed lumen), and
+/// WriteFailed where there is no room left. On several ranks the case is decomposed before
 /// meshing and put together again after simpleFoam, so that what is left opens like a serial one.
 class FoamRun {
  public:
@@ -52,7 +53,9 @@ class FoamRun {
   /// The folders with the mesh and the fields: those of the ranks, or the case itself.
   std::vector<std::filesystem::path> parts() const;
   std::filesystem::path log(const std::string& program) const { return folder_ / ("log." + program); }
+  /// Throws FoamStepFailed, or WriteFailed where there is no room left, which may be why.
   [[noreturn]] void fail(const std::string& program, const std::string& reason) const;
+  void requireRoomAfter(const std::string& program) const;
   void checkPatches();
   /// The mesh's largest non-orthogonality [degrees].
   double checkMesh();
