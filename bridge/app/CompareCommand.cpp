@@ -20,6 +20,7 @@
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
 #include "FoamPath.h"
+#include "FoamRequirements.h"
 #include "OptionChecks.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -93,6 +94,9 @@ void removeFormerComparison(const fs::path& folder) {
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
             std::optional<ComparedLumen> given) {
   requireFoamPath(folder);
+  // Said before a wall is packed and deployed for it
+  if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
+    throw FlowFailed(missing, {});
   createOutputFolder(folder);
   removeFormerComparison(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();

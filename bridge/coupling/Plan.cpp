@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "AgentTable.h"
 #include "Biology.h"
@@ -12,6 +13,7 @@
 #include "LumenGrid.h"
 #include "Run.h"
 #include "SceneChecks.h"
+#include "SceneStent.h"
 #include "SecondsPerDay.h"
 #include "Units.h"
 #include "WallTable.h"
@@ -30,6 +32,9 @@ struct CostEstimate {
   double packSecondsPerAgent = 4e-5;
   double deploySecondsPerStep = 3e-6;  ///< per agent
   double growSecondsPerStep = 1.5e-6;  ///< per agent
+  // One solve by OpenFOAM, with its mesh, and by the lattice
+  double solverBytes = 6e7, bytesPerCell = 400, secondsPerCell = 2.7e-4;
+  double bytesPerLatticeNode = 200, secondsPerLatticeNode = 1e-5;
 };
 
 /// Only of a packed wall: a loaded one may have gaps in its IEL, or none at all.
@@ -78,6 +83,39 @@ LumenGrid lumenGrid(const Scene& scene) {
           scene.coupling.surfaceResolution};
 }
 
+/// Obstacle agents that stand for the struts.
+double strutAgents(const Scene& scene) {
+  return scene.stent ? static_cast<double>(makeStent(*scene.stent, scene.vessel).spheres.size()) : 0;
+}
+
+/// Memory and time of the one solve in a lumen without tissue; empty where there is tissue, whose lumen
+/// changes.
+std::string flowText(const Scene& scene) {
+  if (scene.hasTissue()) return "";
+  if (!noFlowBecause(scene).empty()) return "no agents, no flow\n";
+  const VesselParameters& vessel = scene.vessel;
+  const double length = vessel.length + 2 * scene.flow->straightEnds;
+  const double side = std::numbers::pi * vessel.lumenDiameter * length,
+               volume = side * vessel.lumenDiameter / 4;
+  const CostEstimate cost;
+  const auto text = [&](double pieces, const char* name, double bytes, double seconds) {
+    return fmt::format(
+        "no agents; about {:.2g} {}, {:.0f} MB, {:.0f} s on two cores for the one solve (rough "
+        "estimates)\n",
+        pieces, name, (cost.solverBytes + bytes * pieces) / 1e6, seconds * pieces);
+  };
+  if (scene.flow->backend == flowBackendNames::foam) {
+    const FoamSettings foam = scene.foamSettings();
+    // The core, and about two rows of cells of the wall's size
+    const double cells = volume / std::pow(foam.cellSize, 3) + 2 * side / std::pow(foam.wallCell(), 2);
+    return text(cells, "cells", cost.bytesPerCell, cost.secondsPerCell);
+  }
+  if (scene.flow->backend == flowBackendNames::lbm)
+    return text(volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
+                cost.secondsPerLatticeNode);
+  return text(side / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
+}
+
 /// Agents, memory and time of the tissue, or empty where there is none; and what is to be said of a loaded
 /// wall.
 std::string tissueText(const Scene& scene, std::uint32_t steps) {
@@ -85,16 +123,18 @@ std::string tissueText(const Scene& scene, std::uint32_t steps) {
   const CostEstimate cost;
   const bool loaded = !scene.vessel.agents.empty();
   const AgentStore wall = loaded ? readAgentTable(scene.vessel.agents).agents : AgentStore();
-  const double agents = loaded ? wall.size() : std::round(estimatedAgents(scene));
+  const double ofWall = loaded ? wall.size() : std::round(estimatedAgents(scene));
+  const double agents = ofWall + strutAgents(scene);
   const double packing = loaded ? 0 : cost.packSecondsPerAgent;
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
   const double seconds = agents * (packing + deploySteps * cost.deploySecondsPerStep +
                                    (scene.cellCycle ? steps * cost.growSecondsPerStep : 0));
   const double bytes = cost.programBytes + agents * cost.bytesPerAgent +
                        static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;
-  std::string text =
-      fmt::format("{}{:.0f} agents, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
-                  loaded ? "" : "about ", agents, bytes / 1e6, seconds);
+  std::string text = fmt::format(
+      "{}{:.0f} agents{}, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
+      loaded ? "" : "about ", agents,
+      agents > ofWall ? fmt::format(" ({:.0f} of them struts)", agents - ofWall) : "", bytes / 1e6, seconds);
   if (const std::string ends = remarkOnOpenEnds(scene.vessel, wall); !ends.empty()) text += ends + "\n";
   return text;
 }
@@ -164,7 +204,7 @@ std::string planText(const Scene& scene) {
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
   for (const PlannedPart& part : planParts(scene))
     text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
-  return text + tissueText(scene, steps);
+  return text + flowText(scene) + tissueText(scene, steps);
 }
 
 }  // namespace restenosis

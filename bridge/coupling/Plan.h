@@ -18,8 +18,8 @@ struct PlannedPart {
 /// rules the schedule follows.
 std::vector<PlannedPart> planParts(const Scene& scene);
 
-/// The plan as text: what is modelled, the parts, agents (of a loaded wall those of its table), estimated
-/// memory and time.
+/// The plan as text: what is modelled, the parts, agents (struts included; of a loaded wall those of its
+/// table), estimated memory and time. Throws as makeStent does.
 std::string planText(const Scene& scene);
 
 }  // namespace restenosis

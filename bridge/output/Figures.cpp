@@ -36,6 +36,7 @@ Figures::Figures(std::string interpreter, fs::path script, std::chrono::seconds 
 
 std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stopRequested) const {
   const fs::path log = results / "figures.log";
+  std::string reason;
   try {
     // -B: no compiled files beside the script, which lies in the user's source tree.
     const ProgramExit end = ExternalProgram(interpreter_)
@@ -46,13 +47,15 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
     if (end.late)
       return fmt::format("pictures were given up after {} s; see {}", limit_.count(), log.string());
     if (end.succeeded()) return "";
+    reason = lastLine(log);
+    if (reason.empty()) reason = fmt::format("{}: {}", interpreter_, end.describe());
   } catch (const ProgramMissing& error) {
     return fmt::format("no pictures: {} (install python3, or name another with RESTENOSIS_PYTHON)",
                        error.what());
   } catch (const std::runtime_error& error) {
     return fmt::format("no pictures: {}", error.what());
   }
-  return fmt::format("not all pictures were drawn: {} (see {})", lastLine(log), log.string());
+  return fmt::format("not all pictures were drawn: {} (see {})", reason, log.string());
 }
 
 }  // namespace restenosis

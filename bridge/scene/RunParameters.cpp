@@ -94,7 +94,9 @@ void OutputParameters::describe(ParameterVisitor& p) {
               .description = "simulated time between checkpoints, beside one about every 30 s of work"});
   p.choice(keepFlowCases, {"last", "all"},
            {.key = "keepFlowCases", .source = "none", .description = "OpenFOAM cases to keep"});
-  p.boolean(pictures, {.key = "pictures", .source = "none", .description = "draw PNG pictures at the end"});
+  p.boolean(pictures, {.key = "pictures",
+                       .source = "none",
+                       .description = "draw PNG pictures and write report.html at the end"});
 }
 
 }  // namespace restenosis

@@ -10,6 +10,7 @@
 
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
+#include "Limit.h"
 #include "NitricOxide.h"
 #include "SceneStent.h"
 #include "StentDesign.h"
@@ -48,7 +49,7 @@ Finding durationBetweenSteps(const Scene& s, const Units& u) {
   return fmt::format(
       "'duration' in [scene] is {}, not a whole number of steps of {}; the nearest allowed are {} and {}",
       shown(u, s.scene.duration, "h"), shown(u, s.scene.step, "h"),
-      shown(u, std::floor(steps) * s.scene.step, "h"), shown(u, std::ceil(steps) * s.scene.step, "h"));
+      u.format(std::floor(steps) * s.scene.step, "h"), u.format(std::ceil(steps) * s.scene.step, "h"));
 }
 
 Finding tooManySteps(const Scene& s, const Units& u) {
@@ -97,7 +98,7 @@ Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
 }
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
-  if (s.vessel.stenosis == 0 || s.vessel.stenosisLength <= s.vessel.length) return {};
+  if (s.vessel.stenosis == 0 || !exceeds(s.vessel.stenosisLength, s.vessel.length)) return {};
   return fmt::format("'stenosisLength' in [vessel] is {}, longer than the vessel ({})",
                      shown(u, s.vessel.stenosisLength, "mm"), shown(u, s.vessel.length, "mm"));
 }
@@ -106,7 +107,7 @@ Finding stenosisTooLong(const Scene& s, const Units& u) {
 /// validate.)
 Finding ringLongerThanVessel(const Scene& s, const Units& u) {
   if (!s.stent || !s.stent->file.empty() || stentDesign(s.stent->design).spansLength ||
-      s.stent->length <= s.vessel.length)
+      !exceeds(s.stent->length, s.vessel.length))
     return {};
   return fmt::format("'length' in [stent]: a stent of {} is longer than the vessel ({})",
                      shown(u, s.stent->length, "mm"), shown(u, s.vessel.length, "mm"));
@@ -114,12 +115,12 @@ Finding ringLongerThanVessel(const Scene& s, const Units& u) {
 
 Finding cellsTooLarge(const Scene& s, const Units& u) {
   const double largest = std::min(s.vessel.wallThickness / 6, s.vessel.length / 6);
-  if (!hasPackedWall(s) || s.vessel.cellRadius <= largest * (1 + 1e-12)) return {};
+  if (!hasPackedWall(s) || !exceeds(s.vessel.cellRadius, largest)) return {};
   return fmt::format(
       "'cellRadius' in [vessel] is {}; at most {} fits IEL, one layer of cells and EEL into the wall ({}) "
       "and as many "
       "agents along the vessel ({})",
-      shown(u, s.vessel.cellRadius, "um"), fmt::format("{:.3g} um", u.fromSi(largest, "um")),
+      shown(u, s.vessel.cellRadius, "um"), shownAtMost(u.fromSi(largest, "um")) + " um",
       shown(u, s.vessel.wallThickness, "um"), shown(u, s.vessel.length, "mm"));
 }
 
@@ -153,13 +154,26 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
 /// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!s.hasTissue()) return {};
-  constexpr double roundingSlack = 1e-9;
   const double coarsest = s.vessel.lumenDiameter / 10;
-  if (s.coupling.surfaceResolution <= coarsest * (1 + roundingSlack)) return {};
+  if (!exceeds(s.coupling.surfaceResolution, coarsest)) return {};
   return fmt::format(
       "'surfaceResolution' in [coupling] is {}; a lumen of {} needs at least ten spacings across: at most {}",
       shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
-      shown(u, coarsest, "um"));
+      shownAtMost(u.fromSi(coarsest, "um")) + " um");
+}
+
+/// Likewise. A lumen narrower than twice the smoothing's radius is taken to be closed, and tissue would seem
+/// to fill it.
+Finding surfaceTooSmooth(const Scene& s, const Units& u) {
+  if (!s.hasTissue()) return {};
+  const double smoothest = 0.4 * s.vessel.lumenDiameter;  // assumed
+  if (!exceeds(s.coupling.surfaceSmoothing, smoothest)) return {};
+  return fmt::format(
+      "'surfaceSmoothing' in [coupling] is {}; it closes what is narrower than twice that, and so must be "
+      "well "
+      "below the radius of the lumen of {}: at most {}, 0.4 of its diameter",
+      shown(u, s.coupling.surfaceSmoothing, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
+      shownAtMost(u.fromSi(smoothest, "um")) + " um");
 }
 
 const std::vector<Check>& checks() {
@@ -188,6 +202,7 @@ const std::vector<Check>& checks() {
        nitricOxideFalls},
       {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
+      {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };
   return table;
 }

@@ -52,6 +52,15 @@ TEST_F(Compare, BothBackendsFindPoiseuillesStressInATube) {
   EXPECT_TRUE(exists("out/compareVelocity.csv"));
 }
 
+TEST_F(Compare, SaysBeforeAnythingElseThatOpenFoamIsMissing) {
+  const ProcessEnd end =
+      run({"compare", scene("tiny", tinyFoamScene()), "-o", "out"}, {{"PATH", "/nonexistent"}});
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(end.err.find("apt install openfoam"), std::string::npos) << end.err;
+  EXPECT_EQ(end.err.find("packing"), std::string::npos) << end.err;
+  EXPECT_FALSE(exists("out"));
+}
+
 TEST_F(Compare, TakesTheLumenOfARun) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const std::string straight = scene("straight", straightTube);

@@ -112,6 +112,12 @@ TEST(Figures, NamesWhatIsMissing) {
   EXPECT_NE(problem.find("figures.log"), std::string::npos) << problem;
 }
 
+TEST(Figures, NameAnInterpreterThatFailsWithoutAWord) {
+  TemporaryFolder folder;
+  const auto problem = Figures("/bin/false", "figures", 60s).draw(folder.path());
+  EXPECT_NE(problem.find("/bin/false: exit status 1"), std::string::npos) << problem;
+}
+
 TEST(Figures, AreGivenUpWhenTheUserAsks) {
   TemporaryFolder folder;
   writeText(folder / "hang.py", "import time\ntime.sleep(60)\n");

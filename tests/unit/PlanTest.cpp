@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "Plan.h"
+#include "SceneStent.h"
 #include "SecondsPerDay.h"
 #include "TemporaryFolder.h"
 
@@ -36,9 +38,27 @@ TEST(Plan, CallsTheIelIntactOnlyOfAPackedWall) {
 
 TEST(Plan, EstimatesTheAgentsOfAPackedWall) {
   Scene scene;
-  EXPECT_EQ(planText(scene).find(" agents, "), std::string::npos);
   scene.mechanics.emplace();
   EXPECT_NE(planText(scene).find("\nabout 248"), std::string::npos) << planText(scene);
+}
+
+TEST(Plan, CountsStrutsAmongTheAgents) {
+  Scene scene;
+  scene.mechanics.emplace();
+  scene.stent.emplace();
+  const auto spheres = makeStent(*scene.stent, scene.vessel).spheres.size();
+  EXPECT_NE(planText(scene).find(fmt::format("agents ({} of them struts), ", spheres)), std::string::npos)
+      << planText(scene);
+}
+
+TEST(Plan, EstimatesTheOneSolveOfALumenWithoutTissue) {
+  Scene scene;
+  EXPECT_NE(planText(scene).find("\nno agents, no flow\n"), std::string::npos) << planText(scene);
+  scene.flow.emplace().backend = "foam";
+  // checkMesh counts 109,200 in `poiseuille`, which is this tube
+  EXPECT_NE(planText(scene).find("\nno agents; about 1.1e+05 cells, "), std::string::npos) << planText(scene);
+  scene.flow->backend = "lbm";
+  EXPECT_NE(planText(scene).find(" lattice nodes, "), std::string::npos) << planText(scene);
 }
 
 /// The memory that the plan names [MB].

@@ -124,7 +124,7 @@ TEST_F(SceneChecksTest, AStentIsNoShorterThanItsRing) {
 TEST_F(SceneChecksTest, TheWallHasRoomForItsLayers) {
   EXPECT_EQ(finding(vessel + "cellRadius = \"33 um\"\n[mechanics]\n"), "accepted");
   EXPECT_STARTS(finding(vessel + "cellRadius = \"34 um\"\n[mechanics]\n"),
-                "x.toml:6: 'cellRadius' in [vessel] is 34 um; at most 33.3 um");
+                "x.toml:6: 'cellRadius' in [vessel] is 34 um; at most 33.3333 um");
   EXPECT_EQ(finding(vessel + "cellRadius = \"34 um\"\n"), "accepted");  // no tissue, no cells
   EXPECT_STARTS(finding(vessel + "cellRadius = \"1 um\"\n[mechanics]\n"),
                 "x.toml:6: cells of radius 1 um make about 2.2e+08 agents");

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "LengthUnits.h"
+#include "Limit.h"
 #include "StentDesign.h"
 
 namespace restenosis {
@@ -16,13 +17,13 @@ std::vector<StrutSegment> buildHelix(const StentParameters& stent, const StentLa
 }
 
 std::vector<ParameterProblem> checkHelix(const StentParameters& stent, const VesselParameters&) {
-  if (stent.strutWidth * stent.helixTurns <= stent.length - stent.strutWidth) return {};
+  const double least = stent.strutWidth * (stent.helixTurns + 1);
+  if (!exceeds(least, stent.length)) return {};
   return {
       {"stent.helixTurns",
-       fmt::format("{:.4g} turns of a strut {:.4g} mm wide overlap on {:.4g} mm; so many need a length of "
-                   "at least {:.4g} mm",
-                   stent.helixTurns, stent.strutWidth / mm, stent.length / mm,
-                   stent.strutWidth * (stent.helixTurns + 1) / mm),
+       fmt::format("{:.4g} turns of a strut {:.6g} mm wide overlap on {:.6g} mm; so many need a length of "
+                   "at least {} mm",
+                   stent.helixTurns, stent.strutWidth / mm, stent.length / mm, shownAtLeast(least / mm)),
        {"stent.length", "stent.strutWidth"}}};
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "LengthUnits.h"
+#include "Limit.h"
 #include "StentDesign.h"
 
 namespace restenosis {
@@ -12,17 +13,17 @@ std::vector<StrutSegment> buildRing(const StentParameters& stent, const StentLay
 }
 
 std::vector<ParameterProblem> checkRing(const StentParameters& stent, const VesselParameters& vessel) {
-  if (stent.strutWidth > vessel.length) {
+  if (exceeds(stent.strutWidth, vessel.length)) {
     return {{"stent.strutWidth",
-             fmt::format("a strut {:.4g} mm wide does not fit a vessel of {:.4g} mm; allowed is at most "
+             fmt::format("a strut {:.6g} mm wide does not fit a vessel of {:.6g} mm; allowed is at most "
                          "vessel.length",
                          stent.strutWidth / mm, vessel.length / mm),
              {"vessel.length"}}};
   }
   // The ring itself does not use its stent's length, but who gives one expects it to hold.
-  if (stent.strutWidth > stent.length) {
+  if (exceeds(stent.strutWidth, stent.length)) {
     return {{"stent.length",
-             fmt::format("a stent of {:.4g} mm is shorter than its ring, a strut {:.4g} mm wide "
+             fmt::format("a stent of {:.6g} mm is shorter than its ring, a strut {:.6g} mm wide "
                          "(stent.strutWidth); allowed is at least that",
                          stent.length / mm, stent.strutWidth / mm),
              {"stent.strutWidth"}}};

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "LengthUnits.h"
+#include "Limit.h"
 #include "StentDesign.h"
 
 namespace restenosis {
@@ -18,12 +19,12 @@ std::vector<ParameterProblem> checkRings(const StentParameters& stent, const Ves
 }
 
 std::vector<ParameterProblem> checkRingsOf(double extent, const StentParameters& stent) {
-  if (extent * static_cast<double>(stent.ringCount) <= stent.length) return {};
+  const double least = extent * static_cast<double>(stent.ringCount);
+  if (!exceeds(least, stent.length)) return {};
   return {{"stent.ringCount",
-           fmt::format("{} rings, each {:.4g} mm along the vessel, do not fit a stent of {:.4g} mm; so many "
-                       "need a length of at least {:.4g} mm",
-                       stent.ringCount, extent / mm, stent.length / mm,
-                       extent / mm * static_cast<double>(stent.ringCount)),
+           fmt::format("{} rings, each {:.6g} mm along the vessel, do not fit a stent of {:.6g} mm; so many "
+                       "need a length of at least {} mm",
+                       stent.ringCount, extent / mm, stent.length / mm, shownAtLeast(least / mm)),
            {"stent.length", "stent.strutWidth"}}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "AgentCounts.h"
 #include "LengthUnits.h"
+#include "Limit.h"
 #include "StentDesign.h"
 #include "WallTable.h"
 
@@ -32,7 +33,7 @@ class Validation {
                v.length / mm, v.fixedEnds, 2 * v.fixedEnds * v.cellRadius / mm),
            {"vessel.fixedEnds", "vessel.cellRadius"}});
     }
-    if (v.stenosis > 0 && v.stenosisLength > v.length) {
+    if (v.stenosis > 0 && exceeds(v.stenosisLength, v.length)) {
       add({"vessel.stenosisLength",
            fmt::format("{:.4g} mm is longer than the vessel ({:.4g} mm)", v.stenosisLength / mm,
                        v.length / mm),
@@ -57,9 +58,9 @@ class Validation {
     }
     if (!known_("stent.design")) return;
     const StentDesign& design = stentDesign(s.design);
-    if (design.spansLength && s.length > v.length) {
+    if (design.spansLength && exceeds(s.length, v.length)) {
       add({"stent.length",
-           fmt::format("a stent of {:.4g} mm is longer than the vessel ({:.4g} mm); allowed is "
+           fmt::format("a stent of {:.6g} mm is longer than the vessel ({:.6g} mm); allowed is "
                        "at most vessel.length",
                        s.length / mm, v.length / mm),
            {"stent.design", "vessel.length"}});
@@ -98,12 +99,11 @@ class Validation {
 
   void checkDepth(const StentParameters& s, const VesselParameters& v) {
     const double deepest = v.wallThickness - 2 * v.cellRadius;
-    if (s.deploymentDepth > deepest) {
+    if (exceeds(s.deploymentDepth, deepest)) {
       add({"stent.deploymentDepth",
-           fmt::format(
-               "{:.4g} um is beyond the wall: at most {:.4g} um leave the EEL (vessel.wallThickness less "
-               "a cell's diameter)",
-               s.deploymentDepth / um, deepest / um),
+           fmt::format("{:.6g} um is beyond the wall: at most {} um leave the EEL (vessel.wallThickness less "
+                       "a cell's diameter)",
+                       s.deploymentDepth / um, shownAtMost(deepest / um)),
            {"vessel.wallThickness", "vessel.cellRadius"}});
     }
   }
