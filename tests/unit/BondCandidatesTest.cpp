@@ -35,7 +35,7 @@ TEST(BondCandidates, AreConnectedNearestFirstWhoeverHasRoomForAll) {
     while (static_cast<double>(candidates.size()) < perAgent * agents.size()) {
       const Index a = below(agents.size()), b = below(agents.size());
       if (a == b) continue;
-      candidates.push_back({(1 + a * b % 41) * 1e-6, a, b});
+      candidates.push_back({(11 + a * b % 41) * 1e-6, a, b});
       if (below(10) == 0) candidates.push_back({candidates.back().distance, b, a});
     }
     const std::size_t made = connectNearestFirst(agents, bonds, candidates);
@@ -48,6 +48,16 @@ TEST(BondCandidates, AreConnectedNearestFirstWhoeverHasRoomForAll) {
       }
     }
   }
+}
+
+TEST(BondCandidates, WithinEachOtherAreNotBonded) {
+  AgentStore agents;
+  agents.append(AgentKind::smc, Vec3::Zero(), 1e-5);
+  agents.append(AgentKind::smc, Vec3::Zero(), 3e-5);
+  BondTable bonds;
+  bonds.resize(2);
+  EXPECT_EQ(connectNearestFirst(agents, bonds, {{1.99e-5, 0, 1}}), 0u);
+  EXPECT_EQ(connectNearestFirst(agents, bonds, {{2.01e-5, 0, 1}}), 1u);
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ std::size_t connectNearestFirst(const AgentStore& agents, BondTable& bonds,
     const auto [low, high] = std::minmax(agents.id[pair.a], agents.id[pair.b]);
     return std::tuple(pair.distance, low, high);
   };
+  std::erase_if(candidates, [&](const BondCandidate& pair) {
+    return pair.distance < nearestBonded * (agents.radius[pair.a] + agents.radius[pair.b]);
+  });
   std::vector<std::uint32_t> wanted(agents.size());
   for (const BondCandidate& pair : candidates) ++wanted[pair.a], ++wanted[pair.b];
   const auto room = [&](Index i) { return BondTable::maxBonds - bonds.of(i).size(); };
