@@ -15,6 +15,7 @@
 #include "LumenRefusal.h"
 #include "LumenRims.h"
 #include "StlFile.h"
+#include "SurfaceCrossings.h"
 #include "SurfaceEnds.h"
 #include "SurfacePieces.h"
 
@@ -165,12 +166,18 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (meaning(read.names[read.solid[t]]) == SurfaceRegion::strut) s.region[t] = SurfaceRegion::strut;
 
-  if (const std::size_t pieces = 1 + std::ranges::max(orientPieces(s)); pieces != 1)
+  const std::vector<std::uint32_t> pieceOf = orientPieces(s);
+  if (const std::size_t pieces = 1 + std::ranges::max(pieceOf); pieces != 1)
     refuseLumen(fmt::format("it consists of {} separate pieces; a lumen is one", pieces));
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.opposed > 0) refuseLumen("it has only one side, like a Moebius strip");
   std::vector<LumenCap> ends = namedEnds(read, edges);
   const std::vector<Rim> rims = endRims(s, edges);
+  // Before ends are closed and made planar: in the file's own shape, and not where that moves vertices
+  if (const SurfaceCrossings crossings = surfaceCrossings(s, pieceOf); crossings.edges > 0)
+    refuseLumen(fmt::format("it passes through itself: {} {} through other triangles of it, {} at {}",
+                            crossings.edges, crossings.edges == 1 ? "edge goes" : "edges go",
+                            crossings.edges == 1 ? "that" : "one", shownPlace(crossings.place)));
   for (const Rim& rim : rims) ends.push_back(closeRim(s, rim));
   turnOutwards(s);
 

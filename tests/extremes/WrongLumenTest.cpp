@@ -73,6 +73,15 @@ TEST_F(WrongLumen, HoleInACap) {
   expectRefused(loadedScene, {"loaded.toml:6: ", "it has a hole of 3 edges", "in an end cap of 1.8 mm"});
 }
 
+TEST_F(WrongLumen, PassesThroughItself) {
+  TriSurface crossed = tube(vesselRadius, vesselLength, 3);
+  for (Vec3& v : crossed.vertices)  // one of its rings, turned over the axis
+    if (v.z() > 0.4 * vesselLength && v.z() < 0.9 * vesselLength) v.head<2>() *= -0.5;
+  write(crossed);
+  expectRefused(loadedScene, {"loaded.toml:6: ", "it passes through itself: ", " mm"});
+  EXPECT_EXIT_STATUS(run({"check", scene("loaded", loadedScene)}), 2);
+}
+
 TEST_F(WrongLumen, CutOff) {
   write(good);
   const std::string whole = readText(folder / "lumen.stl");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <numbers>
 
 #include "Constants.h"
 #include "LoadedLumen.h"
@@ -203,6 +204,26 @@ TEST_F(LoadedLumen, WhatIsWrongIsSaid) {
   for (const auto& t : good.triangles) two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
   two.region.resize(two.triangles.size());
   EXPECT_SAYS(refusal(two), "2 separate pieces");
+}
+
+TEST_F(LoadedLumen, WhatPassesThroughItselfIsRefusedWithThePlace) {
+  TriSurface spike = tube(0.9e-3, 3e-3, 3);
+  const std::size_t sides = 128;
+  spike.vertices[sides] += Vec3(-2e-3, 0, 0.5e-3);  // from the middle of one side through the other
+  EXPECT_SAYS(refusal(spike), "the lumen surface cannot be used: it passes through itself: ");
+  EXPECT_SAYS(refusal(spike), "edges go through other triangles of it, one at (-0.9");
+  // A turn and a bit: the end lies in the beginning, or beside it
+  const auto coil = [](double aside) {
+    std::vector<AxisPoint> axis;
+    for (int i = 0; i <= 40; ++i) {
+      const double turn = 2.1 * std::numbers::pi * i / 40;
+      axis.push_back({Vec3(-2e-3 * std::cos(turn), aside * i / 40, 2e-3 * std::sin(turn)),
+                      Vec3(std::sin(turn), 0, std::cos(turn))});
+    }
+    return sweptTube(axis, 0.7e-3);
+  };
+  EXPECT_NO_THROW(load(coil(3e-3)));
+  EXPECT_SAYS(refusal(coil(0.3e-3)), "it passes through itself");
 }
 
 TEST_F(LoadedLumen, NamesInCapitalsDecideToo) {
