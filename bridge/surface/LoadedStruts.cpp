@@ -10,6 +10,7 @@
 
 #include "LumenRefusal.h"
 #include "StlFile.h"
+#include "SurfaceCrossings.h"
 #include "SurfaceEnds.h"
 #include "SurfacePieces.h"
 
@@ -48,7 +49,7 @@ TriSurface loadStruts(const std::filesystem::path& file, double metresPerUnit) {
   if (edges.crowded > 0)
     refuse(
         fmt::format("{} edges have more than two triangles: parts of the struts' surface overlap or meet "
-                    "in one edge; make them one surface, or leave them apart",
+                    "in one edge; make them one surface, or separate closed ones without common edges",
                     edges.crowded));
   if (!edges.open.empty())
     refuse(
@@ -56,6 +57,11 @@ TriSurface loadStruts(const std::filesystem::path& file, double metresPerUnit) {
                     "allowed are closed surfaces",
                     edges.open.size(), shownPlace(s.vertices[edges.open.front()[0]])));
   if (edges.opposed > 0) refuse("the struts' surface has only one side, like a Moebius strip");
+  if (const SurfaceCrossings crossings = surfaceCrossings(s, pieceOf); crossings.edges > 0)
+    refuse(
+        fmt::format("a piece of the struts' surface passes through itself, at {}; allowed are pieces that do "
+                    "not, which may overlap each other",
+                    shownPlace(crossings.place)));
   const std::vector<StrutPiece> pieces = measure(s, pieceOf);
   for (const StrutPiece& piece : pieces)
     if (std::abs(piece.volume) <= flatVolume * std::pow(piece.area / 6, 1.5))

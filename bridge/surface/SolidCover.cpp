@@ -6,6 +6,7 @@
 
 #include "InnerBalls.h"
 #include "PointTree.h"
+#include "SurfacePieces.h"
 
 namespace restenosis {
 namespace {
@@ -66,10 +67,20 @@ void sample(const Facet& facet, const InnerBalls& balls, Samples& result) {
     result.tooThin += area;
 }
 
-Samples sampleSurface(const TriSurface& solid, double largest, double least) {
-  std::vector<Facet> facets;
-  for (const auto& t : solid.triangles)
-    cut({solid.vertices[t[0]], solid.vertices[t[1]], solid.vertices[t[2]]}, facetSize * largest, facets);
+/// The facets of each piece of a surface, none longer than `longest`. Orienting changes nothing of a surface
+/// whose normals point outwards.
+std::vector<std::vector<Facet>> facetsOfPieces(TriSurface solid, double longest) {
+  const std::vector<std::uint32_t> pieceOf = orientPieces(solid);
+  std::vector<std::vector<Facet>> pieces;
+  for (std::size_t n = 0; n < solid.triangles.size(); ++n) {
+    const auto& t = solid.triangles[n];
+    if (pieceOf[n] >= pieces.size()) pieces.resize(pieceOf[n] + 1);
+    cut({solid.vertices[t[0]], solid.vertices[t[1]], solid.vertices[t[2]]}, longest, pieces[pieceOf[n]]);
+  }
+  return pieces;
+}
+
+void samplePiece(const std::vector<Facet>& facets, double largest, double least, Samples& result) {
   const InnerBalls balls(facets, largest, least);
   constexpr std::size_t chunk = 256;
   std::vector<Samples> chunks((facets.size() + chunk - 1) / chunk);
@@ -77,12 +88,19 @@ Samples sampleSurface(const TriSurface& solid, double largest, double least) {
   for (std::size_t n = 0; n < chunks.size(); ++n)
     for (std::size_t k = n * chunk; k < std::min(facets.size(), (n + 1) * chunk); ++k)
       sample(facets[k], balls, chunks[n]);
-  Samples result;
   for (const Samples& part : chunks) {
     result.all.insert(result.all.end(), part.all.begin(), part.all.end());
     result.area += part.area;
     result.tooThin += part.tooThin;
   }
+}
+
+/// Each piece is looked at alone: where pieces overlap, the nearest face of all does not say whether a place
+/// is inside one of them, but what is inside one is inside them all together.
+Samples sampleSurface(const TriSurface& solid, double largest, double least) {
+  Samples result;
+  for (const auto& facets : facetsOfPieces(solid, facetSize * largest))
+    samplePiece(facets, largest, least, result);
   return result;
 }
 

@@ -58,6 +58,14 @@ TEST_F(LoadedStruts, HolesOverlapsAndFlatPiecesAreRefused) {
   EXPECT_NE(refusal(together(one, flat)), "accepted");
 }
 
+TEST_F(LoadedStruts, PiecesMayOverlapButNonePassesThroughItself) {
+  const TriSurface overlapping = box({0.5e-4, 0.2e-4, 1e-4}, {3e-4, 0.8e-4, 2e-4});
+  EXPECT_NEAR(enclosedVolume(load(together(one, overlapping))), 4.5e-12, 1e-17);
+  TriSurface pierced = one;
+  pierced.vertices[7] = {0.6e-4, 0.4e-4, -1e-4};  // a corner of the upper end, pushed out of the lower one
+  EXPECT_HAS(refusal(pierced), "a piece of the struts' surface passes through itself, at (");
+}
+
 TEST_F(LoadedStruts, FilesThatAreNoSurfacesAreNamed) {
   writeText(file, "x,y,z,radius\n1,2,3,4\n");
   EXPECT_THROW(loadStruts(file, 1e-3), std::runtime_error);

@@ -106,5 +106,58 @@ TEST(SolidCover, PiecesAreCoveredEachByItself) {
             coverSolid(one, r, least).balls.size() + coverSolid(other, r, least).balls.size());
 }
 
+/// How far the farthest of places on a box's faces, about `step` apart and outside `other`, is from a ball.
+double widestGap(const SolidCover& cover, const Vec3& low, const Vec3& high, double step,
+                 const Eigen::AlignedBox3d& other) {
+  double widest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double face : {low[axis], high[axis]})
+      for (double u = step / 2; u < 1; u += step)
+        for (double v = step / 2; v < 1; v += step) {
+          Vec3 place = low + Vec3(axis == 0 ? 0 : u,
+                                  axis == 1   ? 0
+                                  : axis == 0 ? u
+                                              : v,
+                                  axis == 2 ? 0 : v)
+                                 .cwiseProduct(high - low);
+          place[axis] = face;
+          if (other.contains(place)) continue;
+          double nearest = HUGE_VAL;
+          for (const Ball& ball : cover.balls)
+            nearest = std::min(nearest, (ball.centre - place).norm() - ball.radius);
+          widest = std::max(widest, nearest);
+        }
+  return widest;
+}
+
+TEST(SolidCover, PiecesThatOverlapAreCoveredTogether) {
+  // A link that runs into a ring, as far as half of the ring's thickness
+  const Eigen::AlignedBox3d ring(Vec3::Zero(), Vec3(90 * um, 90 * um, 300 * um)),
+      link(Vec3(45 * um, 15 * um, 120 * um), Vec3(250 * um, 75 * um, 180 * um));
+  const SolidCover cover =
+      coverSolid(together(box(ring.min(), ring.max()), box(link.min(), link.max())), r, least);
+  EXPECT_EQ(cover.tooThin, 0);
+  for (const Ball& ball : cover.balls) {
+    const auto lies = [&ball](const Eigen::AlignedBox3d& piece) {
+      return (ball.centre - piece.min()).minCoeff() >= ball.radius * (1 - 1e-9) &&
+             (piece.max() - ball.centre).minCoeff() >= ball.radius * (1 - 1e-9);
+    };
+    EXPECT_NEAR(ball.radius, r, 0.01 * r);
+    EXPECT_TRUE(lies(ring) || lies(link)) << ball.centre.transpose();
+  }
+  // As far from the nearest ball as the corners and edges of one box are, and no farther
+  const double corner = (std::sqrt(3.0) - 1) * r;
+  EXPECT_LT(widestGap(cover, ring.min(), ring.max(), 0.05, link), corner);
+  EXPECT_LT(widestGap(cover, link.min(), link.max(), 0.05, ring), corner);
+}
+
+TEST(SolidCover, WhatAPieceEnclosesIsSolid) {
+  const TriSurface outer = box(Vec3::Zero(), {90 * um, 90 * um, 90 * um}),
+                   inner = box({20 * um, 20 * um, 20 * um}, {70 * um, 70 * um, 70 * um});
+  const SolidCover whole = coverSolid(outer, r, least), nested = coverSolid(together(outer, inner), r, least);
+  for (const Ball& ball : nested.balls) EXPECT_NEAR(ball.radius, r, 0.01 * r);
+  for (const Ball& ball : whole.balls) EXPECT_LT(nearestCentre(nested, ball.centre), 0.7 * r);
+}
+
 }  // namespace
 }  // namespace restenosis
