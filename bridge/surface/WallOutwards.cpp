@@ -72,11 +72,12 @@ void meet(const RayGrid& grid, int row, const Vec3& p, const Vec3& q, std::vecto
   const double turn = std::remainder(std::atan2(q.y(), q.x()) - from, 2 * pi);
   const double low = std::min(from, from + turn), high = std::max(from, from + turn);
   const auto nodeOf = [&](double angle) { return (angle / (2 * pi) + 0.5) * grid.around; };
-  const Vec3 edge = q - p;
   for (int k = static_cast<int>(std::ceil(nodeOf(low) - rounding)); k <= nodeOf(high) + rounding; ++k) {
-    const double angle = grid.angle(k);
-    const double across = std::cos(angle) * edge.y() - std::sin(angle) * edge.x();
-    const double radius = across != 0 ? (p.x() * q.y() - p.y() * q.x()) / across : radiusOf(p);
+    const Vec3 out(std::cos(grid.angle(k)), std::sin(grid.angle(k)), 0);
+    const double before = out.cross(p).z(), behind = out.cross(q).z();
+    // On the edge itself: one as short as round-off, where a plane passes a corner, has any direction
+    const double share = before != behind ? std::clamp(before / (before - behind), 0.0, 1.0) : 0.0;
+    const double radius = out.dot(p + share * (q - p));
     if (!(radius > 0)) continue;
     const int node = ((k % grid.around) + grid.around) % grid.around;
     Crossings& ray = crossings[static_cast<std::size_t>(row) * grid.around + node];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "Constants.h"
@@ -106,6 +107,20 @@ TEST(WallOutwards, OfAConeIsThickAcrossItsSide) {
   const Vec3 normal = Vec3(1, 0, -slope).normalized();
   EXPECT_LT((built.eel.normalAt(place) - normal).norm(), 0.01);
   EXPECT_NEAR(built.eel.areaElementAt(place), built.eel.at(place) * std::hypot(1, slope), 1e-5);
+}
+
+TEST(WallOutwards, PlanesAndRaysThroughCornersMeetTheSide) {
+  // Rings of corners are in planes of the grid but for rounding, and some corners on its rays
+  auto star =
+      tubeOf([](double angle, double) { return 0.3e-3 + 0.1e-3 * std::cos(5 * angle); }, onAxis, 13, 96);
+  std::mt19937 random;
+  const auto rounding = [&random] { return static_cast<double>(random()) / std::mt19937::max() - 0.5; };
+  for (Vec3& v : star.vertices) v += Vec3(1e-14 * rounding(), 1e-14 * rounding(), 1e-17 * rounding());
+  const RadiusMap seen = lumenFromAxis(star, length / 40);
+  for (const double radius : seen.values()) {
+    EXPECT_GT(radius, 0.199e-3);
+    EXPECT_LT(radius, 0.401e-3);
+  }
 }
 
 TEST(WallOutwards, NeedsAnAxisThatSeesAllOfTheLumen) {
