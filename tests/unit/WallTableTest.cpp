@@ -66,8 +66,34 @@ TEST_F(WallTable, AWallThatFitsIsTaken) {
 
 TEST_F(WallTable, DeformedWallsAndStrutsWithoutAStentAreTaken) {
   EXPECT_EQ(finding(wall() + "0,0,100,15,smc\n240,0,100,7.5,strut\n"), "accepted");
-  EXPECT_EQ(finding(wall() + "500,0,100,21,smc\n-295,10,-10,15,smc\n295,10,214,15,smc\n"), "accepted");
+  EXPECT_EQ(finding(wall() + "500,0,100,21,eel\n-295,10,-10,15,smc\n295,10,214,15,smc\n"), "accepted");
   EXPECT_EQ(finding(wall(1, 100)), "accepted");
+}
+
+TEST_F(WallTable, CellsAndIelOutsideTheEelAreNamed) {
+  const std::string line = fmt::format(":{}: an agent of kind ", lines(wall()) + 1);
+  EXPECT_FINDING(finding(wall() + "0,380,100,15,smc\n0,400,90,15,smc\n"),
+                 line +
+                     "smc outside the EEL: its centre is 380 um from the axis (x = y = 0), the EEL there 355 "
+                     "um, which no cell leaves through; allowed are at most 370 um");
+  EXPECT_FINDING(finding(wall() + "-375,0,100,15,iel\n"), line + "iel outside the EEL");
+  EXPECT_EQ(finding(wall() + "0,368,100,15,smc\n"), "accepted");
+  EXPECT_EQ(finding(wall() + "0,375,100,25,smc\n"), "accepted") << "a larger cell";
+  EXPECT_EQ(finding(wall() + "0,380,100,15,strut\n"), "accepted");
+  // IEL and EEL exchanged
+  std::string exchanged = wall();
+  for (std::size_t at = 0; (at = exchanged.find("el\n", at + 1)) != std::string::npos;)
+    exchanged[at - 1] = exchanged[at - 1] == 'i' ? 'e' : 'i';
+  EXPECT_NE(finding(exchanged).find("an agent of kind smc outside the EEL"), std::string::npos);
+  // Where the EEL has no agents, nobody knows where it is
+  std::string bare = "x,y,z,radius,kind\n", rows = wall();
+  for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
+    end = rows.find('\n', begin);
+    const std::string row = rows.substr(begin, end - begin);
+    if (!row.ends_with("eel") || !row.starts_with('-')) bare += row + '\n';
+  }
+  EXPECT_EQ(finding(bare + "-400,0,100,15,smc\n"), "accepted");
+  EXPECT_NE(finding(bare + "400,0,100,15,smc\n"), "accepted");
 }
 
 TEST_F(WallTable, AFewCellsAreATissueToo) {

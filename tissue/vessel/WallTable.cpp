@@ -10,6 +10,7 @@
 #include "Cylindrical.h"
 #include "LengthUnits.h"
 #include "TableBounds.h"
+#include "TableLayers.h"
 #include "TablePlaces.h"
 
 namespace restenosis {
@@ -40,6 +41,7 @@ class WallTableCheck {
       checkSectors();
       checkGaps();
     }
+    requireInsideEel(table_, vessel_.cellRadius);
     requireDistinctPlaces(table_);
   }
 

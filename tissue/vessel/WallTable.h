@@ -11,9 +11,9 @@ namespace restenosis {
 /// Reads the wall that `vessel.agents` names, for a scene with this stent (null: none). It may be deformed,
 /// and may be a few cells only, but it must fit the vessel (model 2, loaded walls): radii like
 /// `vessel.cellRadius`, centres along its length and about its axis, no two at the same place. A wall with
-/// laminae or a stent surrounds the axis, without long gaps. Beside a stent it holds no struts and encloses
-/// the place that the stent is pressed to. Throws AgentTableError, with the line of the first agent that does
-/// not fit.
+/// laminae or a stent surrounds the axis, without long gaps, and nothing but the EEL lies outside of it.
+/// Beside a stent it holds no struts and encloses the place that the stent is pressed to. Throws
+/// AgentTableError, with the line of the first agent that does not fit.
 AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* stent);
 
 /// What is to be said of a wall with laminae that reaches less far than `vessel.length`: nobody stands where
