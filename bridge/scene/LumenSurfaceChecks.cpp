@@ -18,18 +18,14 @@
 namespace restenosis {
 namespace {
 
-/// How many times larger or smaller than `lumenDiameter` an inlet may be (assumed): a mistaken unit is 1000.
+/// How many times larger or smaller than `lumenDiameter` an inlet may be, and than `length` a straight lumen
+/// (assumed): a mistaken unit is 1000.
 constexpr double plausibleRatio = 3.0;
 
 bool implausible(double ratio) { return ratio > plausibleRatio || ratio < 1.0 / plausibleRatio; }
 
-/// The vessel is as long as its lumen; a given length may be rounded (assumed).
+/// A wall is as long as the lumen that it is built around; a given length may be rounded (assumed).
 constexpr double sameLength = 0.01;
-
-/// Whether a lumen whose ends are `apart` [m] can be as long as is said. A bent one is longer than that.
-bool isAsLong(double apart, double said, bool bent) {
-  return apart <= said * (1 + sameLength) && (bent || apart >= said * (1 - sameLength));
-}
 
 void blame(std::string_view section, std::string_view key, const std::string& message,
            const SceneDocument& document, SceneFindings& findings) {
@@ -140,14 +136,15 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
                     units.fromSi(vessel.lumenDiameter, "mm")));
   const bool straight = frameAlongZ(lumen).has_value();
   const double length = distanceOfEnds(lumen);
-  const bool bent = !straight && !scene.hasTissue();  // tissue needs a straight one
+  // Along a bent lumen the distance between its ends says little
   if (gives(document, "length")) {
-    if (!isAsLong(length, vessel.length, bent))
+    if (scene.hasTissue() ? std::abs(length / vessel.length - 1.0) > sameLength
+                          : straight && implausible(length / vessel.length))
       blameVessel("length",
                   fmt::format("the ends of 'lumenSurface' are {:.4g} mm apart, but 'length' is {:.4g} mm; "
                               "leave it out, or correct it or 'lumenSurfaceUnit'",
                               units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
-    else if (!bent)
+    else if (straight)
       vessel.length = length;  // to the last digit: the wall ends where the lumen does
   } else {
     vessel.length = length;

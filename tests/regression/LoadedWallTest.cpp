@@ -6,9 +6,8 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
-#include <numbers>
-#include <utility>
 
+#include "FourLayers.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -31,21 +30,7 @@ pictures = false
 
 class LoadedWall : public WholeProgram {
  protected:
-  /// A wall of four layers along 0.2 mm, whose agents overlap by a little along the circumference.
-  void writeWall() const {
-    std::string rows = "x,y,z,radius,kind\n";
-    for (const auto& [radius, kind] : {std::pair(265, "iel"), {295, "smc"}, {325, "smc"}, {355, "eel"}}) {
-      const int around = static_cast<int>(2 * std::numbers::pi * radius / 28);
-      for (int k = 0; k < 8; ++k) {
-        for (int j = 0; j < around; ++j) {
-          const double angle = 2 * std::numbers::pi * (j + 0.5 * (k % 2)) / around;
-          rows += std::to_string(radius * std::cos(angle)) + "," + std::to_string(radius * std::sin(angle)) +
-                  "," + std::to_string(5 + 27 * k) + ",15," + kind + "\n";
-        }
-      }
-    }
-    writeText(folder / "wall.csv", rows);
-  }
+  void writeWall() const { writeText(folder / "wall.csv", fourLayers()); }
   /// What summary.json says of a run with these settings.
   nlohmann::json after(const std::vector<std::string>& settings) const {
     std::vector<std::string> arguments = {"run", scene("table", sceneOfTable), "-o", "out"};
@@ -102,7 +87,7 @@ TEST_F(LoadedWall, GrowsItsCellsToTwiceTheVolumeOfTheirBirth) {
 }
 
 TEST_F(LoadedWall, PressedDeeperThanItsContactLawHoldsForIsRemarkedOnOnce) {
-  writeText(folder / "wall.csv", "x,y,z,radius\n300,0,100,150\n310,0,100,1.5\n");
+  writeText(folder / "wall.csv", "x,y,z,radius\n300,0,100,100\n363,0,100,5\n");
   const auto json = after({"injury=absent", "vessel.wallThickness=0.4 mm"});
   EXPECT_TRUE(tells(json, "on day 0 2 of 2 agents are pressed deeper than the contact law holds for"))
       << json["remarks"];

@@ -2,17 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "FourLayers.h"
 #include "TemporaryFolder.h"
 #include "WallTable.h"
 
 namespace restenosis {
 namespace {
 
-/// Tables of a wall of four layers, eight agents along each generatrix, in a vessel that it fits.
+/// Tables of a wall of four layers in a vessel that it fits.
 class WallTable : public testing::Test {
  protected:
   WallTable() {
@@ -22,21 +21,7 @@ class WallTable : public testing::Test {
     vessel.agents = (folder.path() / "w.csv").string();
     stent.deploymentDepth = 60e-6;
   }
-  /// The rows of the wall, all lengths times `scale`, moved in x by `shift` [um].
-  static std::string wall(double scale = 1, double shift = 0) {
-    std::string rows = "x,y,z,radius,kind\n";
-    for (const auto& [radius, kind] : {std::pair(265, "iel"), {295, "smc"}, {325, "smc"}, {355, "eel"}}) {
-      const int around = static_cast<int>(2 * std::numbers::pi * radius / 28);
-      for (int k = 0; k < 8; ++k) {
-        for (int j = 0; j < around; ++j) {
-          const double angle = 2 * std::numbers::pi * (j + 0.5 * (k % 2)) / around;
-          rows += fmt::format("{},{},{},{},{}\n", scale * (radius * std::cos(angle) + shift),
-                              scale * radius * std::sin(angle), scale * (5 + 27 * k), scale * 15, kind);
-        }
-      }
-    }
-    return rows;
-  }
+  static std::string wall(double scale = 1, double shift = 0) { return fourLayers(scale, shift); }
   /// What is said of a table after the name of its file, or "accepted".
   std::string finding(const std::string& text, const StentParameters* with = nullptr) const {
     writeText(vessel.agents, text);
