@@ -24,6 +24,9 @@ TEST(Limit, IsShownSuchThatWhatIsShownIsAllowed) {
   }
   EXPECT_EQ(shownAtMost(61.0 / 6), "10.1666");
   EXPECT_EQ(shownAtLeast(61.0 / 6), "10.1667");
+  EXPECT_EQ(shownAtMost(-61.0 / 6), "-10.1667");
+  EXPECT_EQ(shownAtLeast(-61.0 / 6), "-10.1666");
+  EXPECT_EQ(shownAtMost(0), "0");
   EXPECT_EQ(shownAtMost(170), "170");
   EXPECT_EQ(shownAtLeast(0.15), "0.15");
 }

@@ -114,12 +114,9 @@ double widestGap(const SolidCover& cover, const Vec3& low, const Vec3& high, dou
     for (const double face : {low[axis], high[axis]})
       for (double u = step / 2; u < 1; u += step)
         for (double v = step / 2; v < 1; v += step) {
-          Vec3 place = low + Vec3(axis == 0 ? 0 : u,
-                                  axis == 1   ? 0
-                                  : axis == 0 ? u
-                                              : v,
-                                  axis == 2 ? 0 : v)
-                                 .cwiseProduct(high - low);
+          Vec3 share = Vec3::Zero();
+          share[(axis + 1) % 3] = u, share[(axis + 2) % 3] = v;
+          Vec3 place = low + share.cwiseProduct(high - low);
           place[axis] = face;
           if (other.contains(place)) continue;
           double nearest = HUGE_VAL;
