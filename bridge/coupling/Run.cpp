@@ -161,7 +161,7 @@ void Run::endAs(const char* status) {
   }
 }
 
-Wall Run::initialWall() const {
+Wall Run::initialWall() {
   const VesselParameters& vessel = scene_.vessel;
   if (!vessel.agents.empty()) {
     Wall wall = adoptWall(vessel, readWallTable(vessel, scene_.stent ? &*scene_.stent : nullptr));
@@ -170,7 +170,8 @@ Wall Run::initialWall() const {
     return wall;
   }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
-                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed));
+                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed),
+                  &world_.packing.emplace());
 }
 
 void Run::prepareWall() {
@@ -300,7 +301,8 @@ void Run::grow() {
     checkpointWhenDue(now.last ||
                       nextToMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
     schedule_->advance(now);
-    if (now.recorded && scene_.hasTissue())
+    // It takes as long as a step; tissue that rests does not come to such contacts between them
+    if ((now.step == 0 || now.last) && scene_.hasTissue())
       remarkOnLaw(fmt::format("on day {:.4g}", now.time / secondsPerDay));
     reportProgress(now);
     if (now.last) break;
@@ -394,6 +396,7 @@ void Run::writeSummary() {
     const auto flow = schedule_->counts().find("flow");
     if (flow != schedule_->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
+  summary.packing = world_.packing;
   summary.deployment = world_.deployment;
   summary.injury = world_.injury;
   summary.relaxationIterations = world_.relaxation.iterations;

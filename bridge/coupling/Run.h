@@ -54,7 +54,7 @@ class Run {
   enum class Stage : std::uint8_t { fresh, deploying, growing };
 
   /// The wall that the scene describes, at rest.
-  Wall initialWall() const;
+  Wall initialWall();
   void prepareWall();
   void deploy();
   void deployStent();

@@ -22,6 +22,7 @@
 #include "Stent.h"
 #include "TriSurface.h"
 #include "Wall.h"
+#include "WallPacking.h"
 
 namespace restenosis {
 
@@ -85,6 +86,7 @@ struct World {
   LumenState lumen;
   FlowState flow;
   ChangeLedger changes;
+  std::optional<PackingReport> packing;            ///< of a wall that was packed, not loaded
   std::optional<DeploymentStatistics> deployment;  ///< before injury
   std::optional<InjuryReport> injury;
   OuterConfinement confinement;  ///< by the EEL as growth found it; it holds its place
@@ -108,8 +110,8 @@ struct World {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, biology, lumen, flow, changes, deployment, injury, confinement, divisions, relaxation, remarks,
-      timer);
+    a(wall, biology, lumen, flow, changes, packing, deployment, injury, confinement, divisions, relaxation,
+      remarks, timer);
   }
 
  private:

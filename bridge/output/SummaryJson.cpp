@@ -29,6 +29,19 @@ Json orNull(const std::optional<double>& value, double scale = 1) {
   return value ? Json(scale * *value) : Json();
 }
 
+Json packing(const Summary& summary) {
+  if (!summary.packing) return nullptr;
+  const PackingReport& done = *summary.packing;
+  return {{"ielAgents", done.counts.iel},
+          {"eelAgents", done.counts.eel},
+          {"cells", done.counts.smc},
+          {"bonds", done.bonds},
+          {"largestForceLeft", done.released.residual},
+          {"ielMeanRadialMoveOnRelease_um", 1e6 * done.ielDrift},
+          {"rmsMoveOnRelease_um", 1e6 * done.rmsMove},
+          {"cellsOutsideLaminae", done.expelled}};
+}
+
 Json deployment(const Summary& summary) {
   if (!summary.deployment) return nullptr;
   const DeploymentStatistics& wall = *summary.deployment;
@@ -110,6 +123,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["sceneFingerprint"] = summary.sceneFingerprint;
   json["stateDigest"] = summary.stateDigest;
   json["final"] = finalValues(summary.last);
+  json["packing"] = packing(summary);
   json["deployment"] = deployment(summary);
   json["injury"] = injury(summary);
   json["flow"] = flowSolves(summary);

@@ -11,6 +11,7 @@
 #include "PartTimer.h"
 #include "PoiseuilleError.h"
 #include "TimeSeriesRow.h"
+#include "WallPacking.h"
 
 namespace restenosis {
 
@@ -25,6 +26,7 @@ struct Summary {
   std::string sceneFingerprint;  ///< of all keys and files that decide the result, empty if these changed
   std::string stateDigest;
   TimeSeriesRow last;                              ///< the final values
+  std::optional<PackingReport> packing;            ///< where the wall was packed
   std::optional<DeploymentStatistics> deployment;  ///< where there is a stent
   std::optional<InjuryReport> injury;              ///< where a scene injures
   std::uint64_t flowSolvesDone = 0;
@@ -38,10 +40,11 @@ struct Summary {
 };
 
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
-/// stateDigest, final (the columns of timeSeries.csv; null where unknown), deployment and injury (what they
-/// did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made anew by
-/// reason), relaxation (iterations during growth, and forces computed), poiseuille (errors, null where the
-/// exact stress is not known), parts (seconds and peak memory), totalSeconds, remarks. Throws WriteFailed.
+/// stateDigest, final (the columns of timeSeries.csv; null where unknown), packing, deployment and injury
+/// (what they did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made
+/// anew by reason), relaxation (iterations during growth, and forces computed), poiseuille (errors, null
+/// where the exact stress is not known), parts (seconds and peak memory), totalSeconds, remarks. Throws
+/// WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

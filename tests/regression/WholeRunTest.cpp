@@ -43,6 +43,9 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   EXPECT_GE(json["threads"], 1);
   EXPECT_FALSE(std::string(json["version"]).empty());
   EXPECT_TRUE(std::regex_match(std::string(json["stateDigest"]), std::regex("[0-9a-f]{16,}")));
+  EXPECT_GT(json["packing"]["bonds"], json["packing"]["cells"]);
+  EXPECT_LT(std::abs(double(json["packing"]["ielMeanRadialMoveOnRelease_um"])), 0.1);
+  EXPECT_EQ(json["packing"]["cellsOutsideLaminae"], 0);
   EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 0);
   EXPECT_EQ(json["deployment"]["cellsOutsideEel"], 0);
   EXPECT_GT(json["deployment"]["ielRadiusUnderStruts_um"], 240) << "0.4 mm across, struts 40 um deep";

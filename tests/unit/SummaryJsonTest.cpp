@@ -21,6 +21,9 @@ Summary example() {
   summary.last.time = 864000;
   summary.last.agents = 70123;
   summary.last.neointimaThickness = 51e-6;
+  summary.packing.emplace();
+  summary.packing->counts.smc = 60000;
+  summary.packing->ielDrift = -0.012e-6;
   summary.deployment.emplace();
   summary.deployment->freeInTheWay = 40;
   summary.deployment->escaped = 3;
@@ -48,6 +51,9 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["final"]["day"], 10.0);
   EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
   EXPECT_TRUE(json["final"]["wssMean_Pa"].is_null());
+  EXPECT_EQ(json["packing"]["cells"], 60000);
+  EXPECT_NEAR(json["packing"]["ielMeanRadialMoveOnRelease_um"].get<double>(), -0.012, 1e-9);
+  EXPECT_EQ(json["packing"]["cellsOutsideLaminae"], 0);
   EXPECT_EQ(json["deployment"]["freeAgentsInTheWayOfStruts"], 40);
   EXPECT_EQ(json["deployment"]["agentsLumenwardOfStruts"], 3);
   EXPECT_EQ(json["deployment"]["freeAgentsLumenwardOfStruts"], 1);

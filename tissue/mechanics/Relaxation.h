@@ -30,6 +30,11 @@ struct RelaxationReport {
     agentEvaluations += next.agentEvaluations;
     residual = next.residual, converged = next.converged;
   }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(iterations, residual, agentEvaluations, converged);
+  }
 };
 
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "Cylindrical.h"
 #include "EndPlanes.h"
@@ -28,13 +29,22 @@ double drawRadius(const VesselParameters& vessel, AgentId id, std::uint64_t seed
   return vessel.cellRadius * (1 + vessel.radiusSpread * deviation);
 }
 
-double meanIelRadius(const AgentStore& agents) {
-  double sum = 0;
-  std::size_t count = 0;
+std::vector<Vec3> positions(const AgentStore& agents) {
+  std::vector<Vec3> all(agents.size());
+  for (Index i = 0; i < agents.size(); ++i) all[i] = agents.position(i);
+  return all;
+}
+
+/// How far agents went from where they were `held`.
+void measureRelease(const std::vector<Vec3>& held, const AgentStore& agents, PackingReport& report) {
+  double squares = 0, outwards = 0;
   for (Index i = 0; i < agents.size(); ++i) {
-    if (agents.kind[i] == AgentKind::iel) sum += radiusOf(agents.position(i)), ++count;
+    const Vec3 position = agents.position(i);
+    squares += (position - held[i]).squaredNorm();
+    if (agents.kind[i] == AgentKind::iel) outwards += radiusOf(position) - radiusOf(held[i]);
   }
-  return count > 0 ? sum / static_cast<double>(count) : 0;
+  if (agents.size() > 0) report.rmsMove = std::sqrt(squares / static_cast<double>(agents.size()));
+  if (report.counts.iel > 0) report.ielDrift = outwards / static_cast<double>(report.counts.iel);
 }
 
 Index countExpelled(const Wall& wall) {
@@ -115,11 +125,11 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   // carried, which without them would push it some micrometres into the lumen.
   orderInSpace(wall);
   done.bonds = bondWall(wall, vessel.bondRange);
-  const double before = meanIelRadius(wall.agents);
+  const std::vector<Vec3> held = positions(wall.agents);
   const OuterConfinement outside(wall.agents, vessel.cellRadius);
   const std::array<const Constraint*, 2> released = {&outside, &ends};
   done.released = relax(released);
-  done.ielDrift = meanIelRadius(wall.agents) - before;
+  measureRelease(held, wall.agents, done);
   done.expelled = countExpelled(wall);
   fixEnds(wall, vessel.fixedEnds);
   if (report) *report = done;

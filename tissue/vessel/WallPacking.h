@@ -22,8 +22,14 @@ struct PackingReport {
   RelaxationReport packed;    ///< with the laminae held to their surfaces
   RelaxationReport released;  ///< then set free
   double ielDrift = 0;        ///< mean radial move of the IEL on release [m]
+  double rmsMove = 0;         ///< root mean square of how far agents went on release [m]
   Index expelled = 0;         ///< cells outside the space between the laminae afterwards
   std::size_t bonds = 0;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(counts.iel, counts.eel, counts.smc, packed, released, ielDrift, rmsMove, expelled, bonds);
+  }
 };
 
 /// A wall in equilibrium: scattered, relaxed with the laminae sliding on their surfaces, bonded with every
