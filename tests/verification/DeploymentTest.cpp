@@ -36,6 +36,8 @@ TEST_P(Deployed, KeepsTheWallTogether) {
   deployment.run([&](const Deployment&, const RelaxationReport& report) {
     EXPECT_TRUE(report.converged);
     ++reports;
+    const double share = deployment.done() ? Deployment::settledShare : Deployment::stepShare;
+    EXPECT_LE(report.residual, share * s.mechanics.tolerance);
   });
   EXPECT_EQ(reports, 20);
 
@@ -64,6 +66,32 @@ TEST_P(Deployed, KeepsTheWallTogether) {
 
 INSTANTIATE_TEST_SUITE_P(Eel, Deployed, ::testing::Values("free", "fixed"),
                          [](const auto& outer) { return std::string(outer.param); });
+
+TEST(DeploymentTest, GoesOnWhereTheIterationsLeadToTheToleranceOnly) {
+  Setting s;
+  s.stent.deploymentSteps = 5;
+  const auto last = [&] {
+    Wall wall = packedWall();
+    RelaxationReport report;
+    Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics)
+        .run([&](const Deployment&, const RelaxationReport& step) { report = step; });
+    return report;
+  };
+  EXPECT_LE(last().residual, Deployment::settledShare * s.mechanics.tolerance);
+  s.mechanics.maximumIterations = 60;
+  const RelaxationReport report = last();
+  EXPECT_TRUE(report.converged);
+  EXPECT_LE(report.residual, s.mechanics.tolerance);
+  EXPECT_GT(report.residual, Deployment::settledShare * s.mechanics.tolerance);
+  s.mechanics.maximumIterations = 10;
+  try {
+    last();
+    FAIL();
+  } catch (const RelaxationFailed& failure) {
+    EXPECT_NE(std::string(failure.what()).find("mechanics.tolerance = 0.1"), std::string::npos)
+        << failure.what();
+  }
+}
 
 TEST(DeploymentTest, EelFixedDoesNotMove) {
   Setting s;

@@ -20,14 +20,21 @@ std::span<double> vectorOf(std::vector<double>& values, Index i) {
   return std::span(values).subspan(3 * std::size_t{i}, 3);
 }
 
+/// To be brought to this share of the tolerance if the iterations suffice; a fixed effort stays what it is.
+MechanicsParameters aimingAt(double share, MechanicsParameters mechanics) {
+  if (!mechanics.stopAtMaximum) mechanics.tolerance *= share;
+  mechanics.stopAtMaximum = true;
+  return mechanics;
+}
+
 }  // namespace
 
 Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameters,
                        const VesselParameters& vessel, const MechanicsParameters& mechanics, int stepsDone)
     : wall_(wall),
       undeployed_(std::move(stent)),
-      relaxation_(mechanics, vessel.cellRadius),
-      bondStrainLimit_(mechanics.bondStrainLimit),
+      mechanics_(mechanics),
+      relaxation_(aimingAt(stepShare, mechanics), vessel.cellRadius),
       depth_(parameters.deploymentDepth),
       steps_(static_cast<int>(parameters.deploymentSteps)),
       stepsDone_(stepsDone) {
@@ -74,18 +81,37 @@ RelaxationReport Deployment::step() {
   const AgentStore& agents = wall_.agents;
   std::vector<double> moves = continueLastMove();
   placeStent();
-  const EndPlanes ends(wall_.length);
-  const OuterConfinement outside(wall_.agents, wall_.cellRadius);
-  const std::array<const Constraint*, 2> constraints = {&outside, &ends};
-  RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
-  while (breakStrainedBonds(wall_.agents, wall_.bonds, bondStrainLimit_) > 0)
-    report.goOnWith(relaxation_.relax(wall_.agents, wall_.bonds, constraints));
+  RelaxationReport report = relax(relaxation_);
+  if (done() && !mechanics_.stopAtMaximum) {
+    relaxation_.forget();
+    Relaxation settling(aimingAt(settledShare, mechanics_), wall_.cellRadius);
+    report.goOnWith(relax(settling));
+  }
   for (Index i = 0; i < agents.size(); ++i) {
     const auto ofAgent = vectorOf(moves, i);
     const Vec3 move = agents.position(i) - Vec3::Map(ofAgent.data());
     std::ranges::copy(move, ofAgent.begin());
   }
   wall_.lastMove = std::move(moves);
+  return report;
+}
+
+RelaxationReport Deployment::relax(Relaxation& aimed) {
+  const EndPlanes ends(wall_.length);
+  const OuterConfinement outside(wall_.agents, wall_.cellRadius);
+  const std::array<const Constraint*, 2> constraints = {&outside, &ends};
+  const auto relaxBreaking = [&](Relaxation& by) {
+    RelaxationReport report = by.relax(wall_.agents, wall_.bonds, constraints);
+    while (breakStrainedBonds(wall_.agents, wall_.bonds, mechanics_.bondStrainLimit) > 0)
+      report.goOnWith(by.relax(wall_.agents, wall_.bonds, constraints));
+    return report;
+  };
+  RelaxationReport report = relaxBreaking(aimed);
+  if (!report.converged && !mechanics_.stopAtMaximum) {
+    // Less than was aimed at will do, but not less than the scene asks for
+    Relaxation asked(mechanics_, wall_.cellRadius);
+    report.goOnWith(relaxBreaking(asked));
+  }
   return report;
 }
 
