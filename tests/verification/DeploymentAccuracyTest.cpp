@@ -1,8 +1,8 @@
-#include "DeploymentAccuracy.h"
-
 #include <gtest/gtest.h>
 
 #include <iostream>
+
+#include "DeploymentAccuracy.h"
 
 namespace restenosis {
 namespace {
