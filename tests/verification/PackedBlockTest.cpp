@@ -14,7 +14,6 @@
 #include "ForceField.h"
 #include "HertzContact.h"
 #include "HertzNeoHookeanContact.h"
-#include "Minimiser.h"
 #include "NeighbourQuery.h"
 #include "RandomStream.h"
 #include "Relaxation.h"
@@ -27,7 +26,6 @@ using namespace support;
 struct PackedBlock : testing::TestWithParam<std::string_view> {
   PackedBlock() {
     parameters.contactLaw = GetParam(), parameters.tolerance = 1e-7, parameters.maximumIterations = 200000;
-    bonds.resize(0);
   }
 
   /// Force [N] and its slope [N/m] between two cells whose centres are `distance` apart.
