@@ -20,7 +20,7 @@ class Deployment {
  public:
   /// What `mechanics.tolerance` is multiplied by in each step, as in packing, and when the stent has arrived.
   /// What a step leaves undone adds up: a wall that is free outside rests 1.2 um rms from its equilibrium
-  /// where every step is relaxed to the tolerance itself, 0.3 um with these (docs/results/deployment.md).
+  /// where every step is relaxed to the tolerance itself, 0.45 um with these (docs/results/deployment.md).
   static constexpr double stepShare = 0.5, settledShare = 0.1;
 
   /// Appends the obstacle agents of a stent, whose outer face is at the lumen's surface, to the wall, or, if
