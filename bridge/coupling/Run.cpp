@@ -401,6 +401,7 @@ void Run::writeSummary() {
   summary.injury = world_.injury;
   summary.relaxationIterations = world_.relaxation.iterations;
   summary.agentEvaluations = world_.relaxation.agentEvaluations;
+  summary.relaxationResidual = world_.relaxation.residual;
   summary.poiseuille = poiseuille();
   summary.parts = world_.timer.costs();
   summary.remarks = world_.remarks;

@@ -62,10 +62,11 @@ struct FlowState {
 struct RelaxationWork {
   std::uint64_t iterations = 0;
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
+  double residual = 0;  ///< largest force on a free agent, asleep or not, after the last time, over C r0^2
 
   template <class Archive>
   void archive(Archive& a) {
-    a(iterations, agentEvaluations);
+    a(iterations, agentEvaluations, residual);
   }
 };
 

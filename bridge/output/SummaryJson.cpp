@@ -128,7 +128,8 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["injury"] = injury(summary);
   json["flow"] = flowSolves(summary);
   json["relaxation"] = {{"iterations", summary.relaxationIterations},
-                        {"agentEvaluations", summary.agentEvaluations}};
+                        {"agentEvaluations", summary.agentEvaluations},
+                        {"largestForceLeft", summary.relaxationResidual}};
   json["poiseuille"] = poiseuille(summary);
   json["parts"] = partCosts(summary);
   double total = 0;

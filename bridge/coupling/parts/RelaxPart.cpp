@@ -31,6 +31,7 @@ void RelaxPart::run(const Instant& now) {
     relaxation_.forget();
   world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
   world_.relaxation.agentEvaluations += report.agentEvaluations;
+  world_.relaxation.residual = report.residual;
   // What is recorded is copied: the relaxation makes room, or both together would be the peak of memory.
   if (now.recorded) relaxation_.forget();
   world_.changes.markRead(name(), Quantity::cellStates);
