@@ -24,7 +24,7 @@ TEST_P(DeploymentAccuracyInTheThesisVessel, EndsWhereTenTimesTighterInDoublePrec
   std::cout << GetParam() << ": " << difference << '\n';
   EXPECT_GT(difference.rms, 0) << "the reference is no other";
   EXPECT_LT(difference.rmsOfOthers, 0.5e-6);
-  EXPECT_LT(difference.branched, 0.005 * difference.agents);
+  EXPECT_LT(difference.branched, 0.001 * difference.agents);
   EXPECT_LT(std::abs(difference.iel), 0.5e-6);
 }
 
