@@ -119,6 +119,8 @@ EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
   if (farthest > planarity * std::sqrt(result.area))
     throw std::invalid_argument(fmt::format(
         "the {} of the lumen surface is not planar: a vertex is {:.3g} m off", nameOf(end), farthest));
+  for (const auto& [from, to] : endRim(lumen, end))
+    result.perimeter += (lumen.vertices[to] - lumen.vertices[from]).norm();
   return result;
 }
 

@@ -27,9 +27,10 @@ LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end);
 
 /// A planar end of a lumen in any direction.
 struct EndPlane {
-  Vec3 centre;  ///< centroid of the end [m]
-  Vec3 normal;  ///< unit vector out of the lumen
-  double area;  ///< [m^2]
+  Vec3 centre;             ///< centroid of the end [m]
+  Vec3 normal;             ///< unit vector out of the lumen
+  double area;             ///< [m^2]
+  double perimeter = 0.0;  ///< of all its rims [m]
 };
 
 /// The end that carries this region (inlet or outlet). Throws std::invalid_argument where there is none or it

@@ -18,10 +18,8 @@ constexpr double fewestPlanes = 16, mostPlanes = 4000;
 double widthOf(double area, double perimeter) { return perimeter > 0.0 ? 4.0 * area / perimeter : 0.0; }
 
 double widthOfEnd(const TriSurface& lumen, SurfaceRegion end) {
-  double perimeter = 0.0;
-  for (const auto& [from, to] : endRim(lumen, end))
-    perimeter += (lumen.vertices[to] - lumen.vertices[from]).norm();
-  return widthOf(endPlane(lumen, end).area, perimeter);
+  const EndPlane plane = endPlane(lumen, end);
+  return widthOf(plane.area, plane.perimeter);
 }
 
 NarrowestPlace narrowestAlongZ(const TriSurface& lumen, double spacing) {

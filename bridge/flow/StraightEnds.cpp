@@ -1,12 +1,18 @@
 #include "StraightEnds.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
+#include "LengthUnits.h"
+#include "LumenFrame.h"
+#include "LumenRefusal.h"
 #include "LumenShape.h"
 #include "NearestTriangle.h"
+#include "SurfaceCrossings.h"
 #include "SurfaceEnds.h"
 
 namespace restenosis {
@@ -71,10 +77,32 @@ TriSurface withStraightEnds(const TriSurface& lumen, double length) {
   return result;
 }
 
+void requireRoomForStraightEnds(const TriSurface& lumen, double length) {
+  const TriSurface longer = withStraightEnds(lumen, length);
+  const std::vector<std::uint32_t> onePiece(longer.triangles.size(), 0);
+  if (const SurfaceCrossings crossings = surfaceCrossings(longer, onePiece); crossings.edges > 0)
+    throw std::invalid_argument(
+        fmt::format("straight ends of {:.4g} mm run into the lumen or each other, at {}", length / mm,
+                    shownPlace(crossings.place)));
+}
+
+double longestStraightEnds(const TriSurface& lumen, double length) {
+  double longest = 0.0;
+  for (int tenths = 1; tenths < 10; ++tenths) try {
+      requireRoomForStraightEnds(lumen, 0.1 * tenths * length);
+      longest = 0.1 * tenths * length;
+    } catch (const std::invalid_argument&) {
+      break;
+    }
+  return longest;
+}
+
 FlowSolution StraightEnds::solve(const TriSurface& lumen, const FlowConditions& conditions,
                                  const std::filesystem::path& caseFolder) {
   TriSurface longer;
   try {
+    // Whatever lies between the planes of the ends is out of the way of what goes on from them
+    if (!frameAlongZ(lumen)) requireRoomForStraightEnds(lumen, length_);
     longer = withStraightEnds(lumen, length_);
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(error.what(), {});

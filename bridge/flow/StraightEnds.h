@@ -11,6 +11,13 @@ namespace restenosis {
 /// missing or not planar.
 TriSurface withStraightEnds(const TriSurface& lumen, double length);
 
+/// Throws std::invalid_argument, naming the place, where straight ends of this `length` [m] run into the
+/// lumen or into each other.
+void requireRoomForStraightEnds(const TriSurface& lumen, double length);
+
+/// The longest straight ends that a lumen has room for [m], to a tenth of `length`, which has none.
+double longestStraightEnds(const TriSurface& lumen, double length);
+
 /// Solves by another backend in the lumen with straight ends, so that what is given at the inlet and outlet
 /// (a developed profile, a uniform pressure) holds upstream and downstream of the lumen instead of in it. The
 /// wall of the solution is the lumen's alone; pressure drop and mesh are those of the whole.

@@ -14,8 +14,7 @@ namespace {
 /// By how much the inlet of a wall of agents may be wider than its nominal diameter (assumed), and any other
 /// by round-off.
 constexpr double widestOfAgents = 1.1, widest = 1 + 1e-6;
-/// Fewest cells of the core along the lumen: the mesher is told of a place 0.37 of them behind the inlet
-/// (LumenCase.cpp).
+/// Fewest cells of the core along the lumen (assumed).
 constexpr double leastCellsAlong = 0.5;
 
 /// What a backend asks for.

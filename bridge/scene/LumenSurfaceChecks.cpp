@@ -8,11 +8,13 @@
 
 #include "FlowBackendNames.h"
 #include "IgnoringVisitor.h"
+#include "LengthUnits.h"
 #include "LoadedLumen.h"
 #include "LoadedWall.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
 #include "SectionReader.h"
+#include "StraightEnds.h"
 #include "WallOutwards.h"
 
 namespace restenosis {
@@ -91,6 +93,17 @@ void checkWall(const Scene& scene, const Blame& blameVessel) {
   }
 }
 
+/// Straight ends of a bent lumen may run into it.
+void checkStraightEnds(const TriSurface& lumen, double length, const SceneDocument& document,
+                       SceneFindings& findings) try {
+  requireRoomForStraightEnds(lumen, length);
+} catch (const std::invalid_argument& error) {
+  blame(FlowParameters::section, "straightEnds",
+        fmt::format("{}; there is room for {:.4g} mm, or leave it out", error.what(),
+                    longestStraightEnds(lumen, length) / mm),
+        document, findings);
+}
+
 double distanceOfEnds(const TriSurface& lumen) {
   return (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre)
       .norm();
@@ -165,6 +178,8 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
         fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",
                     scene.flow->backend, endsOf(lumen)),
         document, findings);
+  if (!straight && scene.flow && scene.flow->straightEnds > 0)
+    checkStraightEnds(lumen, scene.flow->straightEnds, document, findings);
   return extent;
 }
 

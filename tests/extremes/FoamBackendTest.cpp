@@ -108,6 +108,21 @@ TEST(FoamBackendFaults, aPointOutsideIsFound) {
       "leaks");
 }
 
+/// The volume is that of the lumen measured, so that the ends alone tell.
+TEST(FoamBackendFaults, otherEndsThanTheLumensAreFound) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  EXPECT_SAYS(meshingFailure([](TriSurface& surface, DictionaryText&) {
+                // Ends narrower than the middle: as much volume as the tube of radius 0.9 mm
+                surface = revolve({{0.8e-3, 0},
+                                   {0.8e-3, 0.1e-3},
+                                   {0.947e-3, 0.3e-3},
+                                   {0.947e-3, 0.9e-3},
+                                   {0.8e-3, 1.1e-3},
+                                   {0.8e-3, vesselLength}});
+              }),
+              "the mesh's inlet of");
+}
+
 /// As when lengths are in metres: its smallest volume is absolute.
 TEST(FoamBackendFaults, illegalFacesAreFound) {
   RESTENOSIS_NEEDS_OPENFOAM();

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "FlowSupport.h"
+#include "HookTube.h"
 #include "StlFile.h"
 #include "SweptTube.h"
 #include "TubeSurface.h"
@@ -149,6 +150,20 @@ TEST_F(WrongLumen, BentForABackendThatNeedsStraight) {
   write(bentTube(vesselRadius, 1e-3, 2e-3, 1e-3));
   expectRefused(loadedScene, {"'backend' in [flow]", "90 degrees from parallel", "choose foam"},
                 {"--flow", "lbm"});
+}
+
+TEST_F(WrongLumen, StraightEndsThatRunIntoTheVessel) {
+  write(openRing());
+  const auto withEnds = [](const char* length) {
+    return std::string(loadedScene) + "straightEnds = \"" + length + "\"\n[foam]\ncellSize = \"0.09 mm\"\n";
+  };
+  const std::vector<std::string> says = {"loaded.toml:11: 'straightEnds' in [flow]",
+                                         "run into the lumen or each other, at (", "there is room for "};
+  expectRefused(withEnds("3 mm"), says);
+  const ProcessEnd checked = run({"check", scene("loaded", withEnds("3 mm"))});
+  EXPECT_EXIT_STATUS(checked, 2);
+  EXPECT_NE(checked.err.find(says.front()), std::string::npos) << checked.err;
+  EXPECT_EXIT_STATUS(run({"check", scene("loaded", withEnds("0.4 mm"))}), 0);
 }
 
 TEST_F(WrongLumen, NotWithStenosis) {

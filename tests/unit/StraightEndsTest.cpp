@@ -6,6 +6,7 @@
 #include "AnalyticBackend.h"
 #include "Constants.h"
 #include "FlowSupport.h"
+#include "HookTube.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
 #include "StraightEnds.h"
@@ -69,20 +70,24 @@ class FaceOfEachTriangle : public FlowBackend {
 };
 
 TEST(StraightEnds, leaveTheWallOfALumenThatPassesBesideThem) {
-  // A U with legs of 0.2 and 2 mm, 1.4 mm apart: the longer one runs along the end of the shorter one
-  constexpr double bend = 0.7e-3;
-  std::vector<AxisPoint> axis = {{Vec3::Zero(), Vec3::UnitZ()}};
-  for (int i = 0; i <= 24; ++i) {
-    const double turn = std::numbers::pi * i / 24;
-    axis.push_back({Vec3(bend * (1 - std::cos(turn)), 0, 0.2e-3 + bend * std::sin(turn)),
-                    Vec3(std::sin(turn), 0, std::cos(turn))});
-  }
-  for (int i = 1; i <= 20; ++i) axis.push_back({Vec3(2 * bend, 0, 0.2e-3 - 1e-4 * i), -Vec3::UnitZ()});
-  const TriSurface lumen = sweptTube(axis, 0.5e-3);
+  // Legs of 0.2 and 2 mm, 1.4 mm apart: the longer one runs along the end of the shorter one
+  const TriSurface lumen = hookTube(0.5e-3, 0.2e-3, 0.7e-3, 2e-3);
   StraightEnds backend(std::make_unique<FaceOfEachTriangle>(), 1.5e-3);
   const FlowSolution solution = backend.solve(lumen, vesselConditions(), {});
   EXPECT_EQ(solution.wall.size(),
             static_cast<std::size_t>(std::ranges::count(lumen.region, SurfaceRegion::wall)));
+}
+
+TEST(StraightEnds, mayNotRunIntoTheLumenOrEachOther) {
+  const TriSurface ring = openRing();
+  // On either side of 1 mm, less the tube's radius
+  EXPECT_NO_THROW(requireRoomForStraightEnds(ring, 0.55e-3));
+  EXPECT_THROW(requireRoomForStraightEnds(ring, 0.65e-3), std::invalid_argument);
+  EXPECT_NEAR(longestStraightEnds(ring, 1e-3), 0.6e-3, 0.11e-3);
+  StraightEnds backend(std::make_unique<FaceOfEachTriangle>(), 3e-3);
+  EXPECT_THROW(backend.solve(ring, vesselConditions(), {}), FlowFailed);
+  EXPECT_NO_THROW(requireRoomForStraightEnds(hookTube(0.5e-3, 0.2e-3, 0.7e-3, 2e-3), 1.5e-3));
+  EXPECT_NO_THROW(requireRoomForStraightEnds(stentedTube(vesselRadius, vesselLength, 90e-6), 5e-3));
 }
 
 TEST(StraightEnds, refuseLengthsAndSurfacesThatHaveNone) {

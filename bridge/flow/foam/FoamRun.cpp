@@ -20,6 +20,10 @@ namespace fs = std::filesystem;
 namespace {
 constexpr double cubicMillimetre = 1e-9;  // [m^3], also [m^3/s] for mm^3/s
 constexpr double squareMillimetre = 1e-6;
+
+/// Part of the wall's cells along an end's rim that snapping may leave out of the end: it makes the rim a
+/// polygon, and cuts off corners (assumed).
+constexpr double cornersCut = 0.5;
 }  // namespace
 
 FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
@@ -113,8 +117,25 @@ double FoamRun::checkMesh() {
   } else if (!report.ok) {
     fail("checkMesh", report.problem);
   }
+  checkEnds();
   solution_.cells = report.cells;
   return report.nonOrthogonality;
+}
+
+void FoamRun::checkEnds() {
+  std::vector<PolyMesh> meshes;
+  for (const auto& part : parts()) meshes.push_back(readPolyMesh(part));
+  for (const auto& [name, end] : {std::pair{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}}) {
+    double area = 0.0;
+    for (const PolyMesh& mesh : meshes) area += squareMillimetre * mesh.patchArea(name);
+    const double cutCorners = cornersCut * settings_.wallCell() * end->perimeter;
+    const double tolerance = settings_.endAreaTolerance * end->area;
+    if (area > end->area + tolerance || !(area >= end->area - tolerance - cutCorners))
+      fail("checkMesh",
+           fmt::format("the mesh's {} of {:.4g} mm^2 is not the surface's of {:.4g} mm^2: cells of another "
+                       "part of the lumen were taken for it, or its own for the wall",
+                       name, area / squareMillimetre, end->area / squareMillimetre));
+  }
 }
 
 std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerCase,

@@ -59,6 +59,8 @@ class FoamRun {
   void checkPatches();
   /// The mesh's largest non-orthogonality [degrees].
   double checkMesh();
+  /// Whether the ends of the mesh are those of the lumen.
+  void checkEnds();
   void checkFlow();
   void readWall();
   void putTogether();

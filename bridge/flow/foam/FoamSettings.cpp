@@ -91,6 +91,14 @@ void FoamSettings::describe(ParameterVisitor& p) {
                                .maximum = 1,
                                .source = "assumed",
                                .description = "largest relative difference of mesh and surface volume"});
+  p.quantity(
+      endAreaTolerance,
+      {.key = "endAreaTolerance",
+       .minimum = 0,
+       .maximum = 1,
+       .source = "assumed",
+       .description = "largest relative difference of an end's area in mesh and surface, beside half a "
+                      "wall cell along its rim that the mesh may lack"});
   p.integer(skewFaces, {.key = "skewFaces",
                         .minimum = 0,
                         .source = "assumed",

@@ -26,6 +26,7 @@ struct FoamSettings {
   double relaxation = 0.8;                        ///< of U
   double nonOrthogonal = 1.0;                     ///< share of the non-orthogonal correction of gradients
   double volumeTolerance = 0.02;                  ///< mesh volume against the surface's volume
+  double endAreaTolerance = 0.05;                 ///< area of the mesh's ends against the surface's
   std::int64_t skewFaces = 10;                    ///< most faces of a skewness above 4
   double skewness = 20;                           ///< largest skewness
   double massTolerance = 1e-3;        ///< outflow against inflow, and inflow against the flow rate asked for

@@ -7,7 +7,11 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
+#include "EndClearance.h"
+#include "InsidePoint.h"
 #include "LengthUnits.h"
 
 namespace restenosis {
@@ -37,29 +41,68 @@ constexpr std::int64_t robustIterations = 2;
 /// Most cells of the background block; beyond, its cells are doubled and halved again inside the lumen.
 constexpr double blockCells = 1e6;
 
-/// How often the cells of the background block are doubled. A block that the planes of the ends cut is never
-/// much larger than the lumen.
+/// How near to the plane of an end that is cut anything else may come, over the block's cells (assumed):
+/// cells with a face in that plane must be the end's own.
+constexpr double clearCells = 1.5;
+
+/// How often the cells of a background block around the whole lumen are doubled.
 int blockLevel(const LumenCase& lumen, double size) {
-  if (lumen.ends == LumenEnds::cut) return 0;
   const double cells = (lumen.high - lumen.low).prod() / (size * size * size);
   return std::max(0, static_cast<int>(std::ceil(std::log2(cells / blockCells) / 3.0)));
 }
 
-LumenEnds endsOf(const TriSurface& lumen) {
-  if (liesAlongZ(lumen)) return LumenEnds::cut;
-  const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
+/// Whether the lumen begins along z, and none of it lies below the inlet.
+bool beginsAlongZ(const TriSurface& lumen, const EndPlane& inlet) {
   const double slack = 1e-6 * std::sqrt(inlet.area);  // of round-off
   const auto above = [&](const auto& triangle) {
     return std::ranges::all_of(triangle,
                                [&](auto v) { return lumen.vertices[v].z() >= inlet.centre.z() - slack; });
   };
-  const bool begins = inlet.normal.z() < -1 + 1e-9 && std::ranges::all_of(lumen.triangles, above);
-  return begins ? LumenEnds::inletCut : LumenEnds::caps;
+  return inlet.normal.z() < -1 + 1e-9 && std::ranges::all_of(lumen.triangles, above);
+}
+
+/// Which ends the planes of the block cut, and its coarsening. A block that cuts both is never much larger
+/// than the lumen.
+std::pair<LumenEnds, int> endsAndLevel(const TriSurface& lumen, const LumenCase& measured, double size) {
+  const int level = blockLevel(measured, size);
+  const auto isClear = [&](SurfaceRegion end, double cell) {
+    return !strangerNearEnd(lumen, end, clearCells * cell);
+  };
+  if (liesAlongZ(lumen) && isClear(SurfaceRegion::inlet, size) && isClear(SurfaceRegion::outlet, size))
+    return {LumenEnds::cut, 0};
+  if (beginsAlongZ(lumen, measured.inlet) && isClear(SurfaceRegion::inlet, size * std::exp2(level)))
+    return {LumenEnds::inletCut, level};
+  return {LumenEnds::caps, level};
 }
 
 /// Cells of the background block from the middle of the lumen to either side, one beyond it.
 long halfCells(double low, double high, double size) {
   return static_cast<long>(std::ceil(0.5 * (high - low) / size)) + 1;
+}
+
+/// The background block: along the vessel from plane to plane where the ends are cut, elsewhere about the
+/// middle of the lumen. Cells of the core have this size.
+BackgroundBlock blockAround(const LumenCase& lumen, int level, double coreSize) {
+  BackgroundBlock block;
+  block.level = level;
+  const double size = coreSize * std::exp2(level);
+  const Vec3 middle = 0.5 * (lumen.low + lumen.high);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == 2 && lumen.ends != LumenEnds::caps) {
+      const double low = lumen.inlet.centre.z();
+      const bool both = lumen.ends == LumenEnds::cut;
+      block.cells[2] = both ? std::max(1L, std::lround(lumen.length() / size))
+                            : static_cast<long>(std::ceil((lumen.high.z() - low) / size)) + 1;
+      block.low.z() = low;
+      block.high.z() = both ? lumen.outlet.centre.z() : low + size * static_cast<double>(block.cells[2]);
+      continue;
+    }
+    const long half = halfCells(lumen.low[axis], lumen.high[axis], size);
+    block.low[axis] = middle[axis] - size * static_cast<double>(half);
+    block.high[axis] = middle[axis] + size * static_cast<double>(half);
+    block.cells[axis] = 2 * half;
+  }
+  return block;
 }
 
 void setLength(DictionaryText& parameters, std::string_view key, double metres) {
@@ -89,39 +132,23 @@ void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
   parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
 }
 
-/// The background block: along the vessel from plane to plane where the ends are cut, elsewhere about the
-/// middle of the lumen.
-void writeBlock(DictionaryText& parameters, const LumenCase& lumen, double size) {
-  const bool inletCut = lumen.ends != LumenEnds::caps;
-  parameters.set("ends", lumen.ends == LumenEnds::cut ? "cut" : inletCut ? "inletCut" : "caps");
-  const Vec3 middle = 0.5 * (lumen.low + lumen.high);
-  for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
-    if (axis == 2 && inletCut) {
-      const double low = lumen.inlet.centre.z();
-      const bool both = lumen.ends == LumenEnds::cut;
-      const long cells = both ? std::max(1L, std::lround(lumen.length() / size))
-                              : static_cast<long>(std::ceil((lumen.high.z() - low) / size)) + 1;
-      setLength(parameters, "zMin", low);
-      setLength(parameters, "zMax", both ? lumen.outlet.centre.z() : low + size * static_cast<double>(cells));
-      parameters.set("cellsZ", std::to_string(cells));
-      continue;
-    }
-    const long half = halfCells(lumen.low[axis], lumen.high[axis], size);
-    setLength(parameters, fmt::format("{}Min", name), middle[axis] - size * static_cast<double>(half));
-    setLength(parameters, fmt::format("{}Max", name), middle[axis] + size * static_cast<double>(half));
-    parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name[0]))),
-                   std::to_string(2 * half));
+void writeBlock(DictionaryText& parameters, const LumenCase& lumen) {
+  parameters.set("ends", lumen.ends == LumenEnds::cut        ? "cut"
+                         : lumen.ends == LumenEnds::inletCut ? "inletCut"
+                                                             : "caps");
+  for (const auto& [axis, name] : {std::pair{0, 'x'}, {1, 'y'}, {2, 'z'}}) {
+    setLength(parameters, fmt::format("{}Min", name), lumen.block.low[axis]);
+    setLength(parameters, fmt::format("{}Max", name), lumen.block.high[axis]);
+    parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name))),
+                   std::to_string(lumen.block.cells[axis]));
   }
 }
 
-/// What the mesher refines, and where the lumen is.
-void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSettings& settings, int level,
+/// What the mesher refines, and where the lumen is: elsewhere at the second attempt.
+void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSettings& settings,
                bool robust) {
-  // Just inside the inlet, at a fraction of a cell that refinement never makes a face
-  const InletProfile& profile = lumen.profile;
-  const Vec3 inside = (profile.inside + settings.cellSize * (0.131 * profile.xAxis + 0.173 * profile.yAxis +
-                                                             0.371 * profile.direction)) *
-                      mmPerMetre;
+  const int level = lumen.block.level;
+  const Vec3 inside = (robust ? lumen.inside.back() : lumen.inside.front()) * mmPerMetre;
   parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
   parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
   parameters.set("coreLevel", std::to_string(level));
@@ -156,7 +183,6 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
   result.inlet = endPlane(lumen, SurfaceRegion::inlet);
   result.outlet = endPlane(lumen, SurfaceRegion::outlet);
   result.profile = developedProfile(lumen);
-  result.ends = endsOf(lumen);
   result.volume = enclosedVolume(lumen);
   result.low = result.high = lumen.vertices[lumen.triangles.front()[0]];
   for (const auto& t : lumen.triangles)
@@ -180,18 +206,22 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
         "the lumen ({:.4g} mm wide, {:.4g} mm long) needs about {:.2g} cells, more than the limit of "
         "{:.2g}: choose a lower fidelity, or check its length unit",
         diameter * mmPerMetre, result.length() * mmPerMetre, cells, settings.maximumCells));
+  int level = 0;
+  std::tie(result.ends, level) = endsAndLevel(lumen, result, settings.cellSize);
+  result.block = blockAround(result, level, settings.cellSize);
+  const auto finest = std::max(settings.wallLevel, settings.strutLevel);
+  result.inside = insidePoints(lumen, result.block, level, level + static_cast<int>(finest));
   return result;
 }
 
 void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
                           const FlowConditions& conditions, const FoamSettings& settings, Effort effort,
                           int ranks) {
-  const int level = blockLevel(lumen, settings.cellSize);
   const bool robust = effort == Effort::robust;
   writeFlow(parameters, lumen, conditions);
   writeInlet(parameters, lumen.profile);
-  writeBlock(parameters, lumen, settings.cellSize * std::exp2(level));
-  writeMesh(parameters, lumen, settings, level, robust);
+  writeBlock(parameters, lumen);
+  writeMesh(parameters, lumen, settings, robust);
   writeSolver(parameters, conditions.drive == FlowConditions::Drive::flowRate, settings, robust);
   parameters.set("ranks", std::to_string(ranks));
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "BackgroundBlock.h"
 #include "DictionaryText.h"
 #include "FlowBackend.h"
 #include "FoamSettings.h"
@@ -10,8 +13,8 @@ namespace restenosis {
 
 /// Which ends the mesher cuts in planes of constant z; the others are caps of its surface.
 enum class LumenEnds {
-  cut,       ///< both: the lumen lies along z
-  inletCut,  ///< the inlet: the lumen begins along z, and none of it lies below the inlet
+  cut,       ///< both: the lumen lies along z, and nothing else comes near their planes
+  inletCut,  ///< the inlet: the lumen begins along z, and nothing else lies below or near its plane
   caps       ///< neither
 };
 
@@ -20,8 +23,10 @@ struct LumenCase {
   EndPlane inlet, outlet;
   InletProfile profile;
   LumenEnds ends = LumenEnds::cut;
-  Vec3 low, high;       ///< bounding box
-  double volume = 0.0;  ///< enclosed by the surface [m^3]
+  Vec3 low, high;  ///< bounding box
+  BackgroundBlock block;
+  std::array<Vec3, 2> inside;  ///< where the lumen is, for the first and the second attempt [m]
+  double volume = 0.0;         ///< enclosed by the surface [m^3]
   double wallArea = 0.0, strutArea = 0.0;
   bool hasStruts() const { return strutArea > 0.0; }
   /// From end to end [m]; where they are not both cut, its volume over the mean area of its ends.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <regex>
 #include <stdexcept>
@@ -55,6 +56,20 @@ std::size_t PolyMesh::cells() const {
 const PolyMesh::Patch* PolyMesh::patch(std::string_view name) const {
   const auto found = std::ranges::find(patches, name, &Patch::name);
   return found == patches.end() ? nullptr : &*found;
+}
+
+double PolyMesh::patchArea(std::string_view name) const {
+  const Patch* of = patch(name);
+  double area = 0.0;
+  for (std::size_t f = 0; of != nullptr && f < of->faces; ++f) {
+    const auto corners = face(of->start + f);
+    Vec3 areaVector = Vec3::Zero();
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      areaVector +=
+          0.5 * (points[corners[k - 1]] - points[corners[0]]).cross(points[corners[k]] - points[corners[0]]);
+    area += areaVector.norm();
+  }
+  return area;
 }
 
 std::vector<Vec3> PolyMesh::cellCentres() const {
