@@ -99,12 +99,12 @@ TEST(FoamBackendFaults, leakingMeshIsFound) {
 TEST(FoamBackendFaults, aPointOutsideIsFound) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const auto outsideBlock =
-      meshingFailure([](TriSurface&, DictionaryText& p) { p.set("insidePoint", "(50 50 50)"); });
+      meshingFailure([](TriSurface&, DictionaryText& p) { p.set("insidePoint", "(0.05 0.05 0.05)"); });
   EXPECT_SAYS(outsideBlock, "snappyHexMesh");
   EXPECT_SAYS(outsideBlock, "not inside the mesh");
   // In a corner of the block, outside the lumen: OpenFOAM meshes what is around it, and all is well
   EXPECT_SAYS(
-      meshingFailure([](TriSurface&, DictionaryText& p) { p.set("insidePoint", "(-0.951 -0.947 0.611)"); }),
+      meshingFailure([](TriSurface&, DictionaryText& p) { p.set("insidePoint", "(-0.951e-3 -0.947e-3 0.611e-3)"); }),
       "leaks");
 }
 
@@ -123,10 +123,10 @@ TEST(FoamBackendFaults, otherEndsThanTheLumensAreFound) {
               "the mesh's inlet of");
 }
 
-/// As when lengths are in metres: its smallest volume is absolute.
+/// As with the limit of cases whose lengths are metres: it is absolute.
 TEST(FoamBackendFaults, illegalFacesAreFound) {
   RESTENOSIS_NEEDS_OPENFOAM();
-  EXPECT_SAYS(meshingFailure([](TriSurface&, DictionaryText& p) { p.set("minVolume", "1e-3"); }), "illegal");
+  EXPECT_SAYS(meshingFailure([](TriSurface&, DictionaryText& p) { p.set("minVolume", "1e-13"); }), "illegal");
 }
 
 TEST(FoamBackendFaults, occlusionIsNamed) {

@@ -42,6 +42,10 @@ TEST_P(FoamCase, runsByHandAndIsCleanedUp) {
   EXPECT_EQ(foamLog::read(at / "log.blockMesh").find("Warning"), std::string::npos);
   const auto iterations = foamLog::convergedAfter(foamLog::read(at / "log.simpleFoam"));
   ASSERT_TRUE(iterations.has_value());
+  const auto inflow =
+      foamLog::lastValue(foamLog::read(at / "postProcessing/inletFlow/0/surfaceFieldValue.dat"));
+  ASSERT_TRUE(inflow.has_value());
+  EXPECT_NEAR(*inflow / -3.384438e-7, 1.0, 1e-5);  // in m^3/s, as its users expect
   const std::string last = std::to_string(*iterations);
   for (const char* patch : {"wall.vtp", "strut.vtp"})
     EXPECT_TRUE(fs::exists(at / "postProcessing/surface" / last / patch)) << patch;

@@ -7,7 +7,7 @@
 
 namespace restenosis::support {
 
-/// A mesh in mm of a straight tube along z [m]: wedges around the axis, in rings and layers. Its wall is that
+/// A mesh of a straight tube along z [m]: wedges around the axis, in rings and layers. Its wall is that
 /// of `tube` with as many sides as it has wedges.
 inline PolyMesh tubeMesh(double radius, double length, int sides, int rings, int layers) {
   PolyMesh mesh;
@@ -18,11 +18,11 @@ inline PolyMesh tubeMesh(double radius, double length, int sides, int rings, int
     return static_cast<std::int32_t>(layer * (1 + rings * sides) + ofLayer);
   };
   for (int l = 0; l <= layers; ++l) {
-    const double z = 1e3 * length * l / layers;
+    const double z = length * l / layers;
     mesh.points.emplace_back(0, 0, z);
     for (int r = 1; r <= rings; ++r)
       for (int s = 0; s < sides; ++s) {
-        const double at = 1e3 * equalArea * radius * r / rings;
+        const double at = equalArea * radius * r / rings;
         mesh.points.emplace_back(at * std::cos(s * step), at * std::sin(s * step), z);
       }
   }

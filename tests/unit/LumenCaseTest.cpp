@@ -26,22 +26,28 @@ DictionaryText templateParameters() {
   return DictionaryText(foamLog::read(foamTemplate() / "system/lumenParameters"));
 }
 
-TEST(LumenCase, numbersAreWrittenInMillimetres) {
+/// A number, in quotes or not.
+double numberOf(const DictionaryText& text, const char* key) {
+  const std::string value = text.get(key);
+  return std::stod(value.starts_with('"') ? value.substr(1) : value);
+}
+
+TEST(LumenCase, numbersAreWrittenInSiUnits) {
   const auto settings = FoamSettings::forFidelity("draft");
   const auto lumen = measureLumen(stentedTube(vesselRadius, vesselLength, 90e-6), settings);
   auto text = templateParameters();
   writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
-  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
-  EXPECT_NEAR(number("kinematicViscosity"), 2.7, 1e-12);
-  EXPECT_NEAR(number("flowRate"), 338.4438, 1e-3);
-  EXPECT_NEAR(number("inletRadius"), 0.9, 1e-9);
-  EXPECT_NEAR(number("zMax"), 1.2, 1e-12);
+  const auto number = [&](const char* key) { return numberOf(text, key); };
+  EXPECT_NEAR(number("kinematicViscosity"), 2.7e-6, 1e-18);
+  EXPECT_NEAR(number("flowRate"), 3.384438e-7, 1e-12);
+  EXPECT_NEAR(number("inletRadius"), 0.9e-3, 1e-12);
+  EXPECT_NEAR(number("zMax"), 1.2e-3, 1e-15);
   EXPECT_EQ(text.get("ends"), "cut");
   EXPECT_EQ(text.get("coreLevel"), "0");
-  EXPECT_NEAR(number("pressureDrop"), 4256.0, 0.1);
+  EXPECT_NEAR(number("pressureDrop"), 4.256e-3, 1e-7);
   EXPECT_EQ(number("cellsZ"), 13);
-  EXPECT_NEAR((number("xMax") - number("xMin")) / number("cellsX"), 0.09, 1e-12);
-  EXPECT_GT(number("xMax"), 0.9 + 0.09);
+  EXPECT_NEAR((number("xMax") - number("xMin")) / number("cellsX"), 0.09e-3, 1e-15);
+  EXPECT_GT(number("xMax"), 0.9e-3 + 0.09e-3);
   EXPECT_EQ(text.get("struts"), "yes");
   EXPECT_EQ(text.get("drive"), "flowRate");
   EXPECT_EQ(text.get("skewFaces"), "10");
@@ -57,10 +63,10 @@ TEST(LumenCase, aBentLumenIsMeshedWithItsCaps) {
   EXPECT_NEAR(lumen.length() / axis, 1.0, 0.01);
   auto text = templateParameters();
   writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
-  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
+  const auto number = [&](const char* key) { return numberOf(text, key); };
   EXPECT_EQ(text.get("ends"), "caps");
-  EXPECT_LT(number("zMin"), -0.09);
-  EXPECT_NEAR((number("zMax") - number("zMin")) / number("cellsZ"), 0.09, 1e-12);
+  EXPECT_LT(number("zMin"), -0.09e-3);
+  EXPECT_NEAR((number("zMax") - number("zMin")) / number("cellsZ"), 0.09e-3, 1e-15);
 }
 
 /// A plane that cuts the inlet would cut the outlet off as well.
@@ -87,11 +93,11 @@ TEST(LumenCase, aLongLumenGetsACoarserBlock) {
   const auto lumen = measureLumen(bentTube(vesselRadius, 30e-3, 2e-3, 30e-3), settings);
   auto text = templateParameters();
   writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
-  const auto number = [&](const char* key) { return std::stod(text.get(key)); };
+  const auto number = [&](const char* key) { return numberOf(text, key); };
   EXPECT_LE(number("cellsX") * number("cellsY") * number("cellsZ"), 1.5e6);
   EXPECT_EQ(number("coreLevel"), 1);
   const double block = (number("xMax") - number("xMin")) / number("cellsX");
-  EXPECT_NEAR(block / std::exp2(number("coreLevel")), 0.09, 1e-12);
+  EXPECT_NEAR(block / std::exp2(number("coreLevel")), 0.09e-3, 1e-15);
   EXPECT_EQ(number("wallLevel"), number("coreLevel") + 1);
 }
 
@@ -119,8 +125,8 @@ TEST(LumenCase, thePointInsideAnAnnulusIsNotItsCentre) {
   writeLumenParameters(text, lumen, vesselConditions(), settings, Effort::normal, 1);
   Vec3 inside;
   std::istringstream(text.get("insidePoint").substr(1)) >> inside.x() >> inside.y() >> inside.z();
-  EXPECT_GT(inside.head<2>().norm(), 0.55);
-  EXPECT_LT(inside.head<2>().norm(), 0.85);
+  EXPECT_GT(inside.head<2>().norm(), 0.55e-3);
+  EXPECT_LT(inside.head<2>().norm(), 0.85e-3);
 }
 
 TEST(LumenCase, wrongScaleIsNamed) {
@@ -144,8 +150,8 @@ TEST(LumenStl, wallAndStrutsOvershootTheEnds) {
   for (auto at = plain.find("endfacet"); at != std::string::npos; at = plain.find("endfacet", at + 1))
     ++facets;
   EXPECT_EQ(facets, 3u * 256u);  // the tube and a rim at either end
-  EXPECT_NE(plain.find(" -0.2\n"), std::string::npos);
-  EXPECT_NE(plain.find(" 1.2\n"), std::string::npos);
+  EXPECT_NE(plain.find(" -0.0002\n"), std::string::npos);
+  EXPECT_NE(plain.find(" 0.0012\n"), std::string::npos);
   writeLumenStl(stentedTube(1e-3, 1e-3, 1e-4), LumenEnds::cut, 0.2e-3, file);
   EXPECT_NE(foamLog::read(file).find("endsolid wall\nsolid strut\n"), std::string::npos);
 }
@@ -154,11 +160,11 @@ TEST(LumenStl, endsThatAreNotCutAreSolids) {
   const TemporaryFolder scratch;
   const TriSurface bent = bentTube(1e-3, 1e-3, 2e-3, 1e-3);
   writeLumenStl(bent, LumenEnds::caps, 0.2e-3, scratch / "caps.stl");
-  const auto caps = readStlSolids(scratch / "caps.stl", 1e-3);
+  const auto caps = readStlSolids(scratch / "caps.stl", 1.0);
   EXPECT_EQ(caps.names, (std::vector<std::string>{"wall", "inlet", "outlet"}));
   EXPECT_TRUE(surfaceEdges(caps.surface).open.empty());
   writeLumenStl(bent, LumenEnds::inletCut, 0.2e-3, scratch / "inletCut.stl");
-  const auto inletCut = readStlSolids(scratch / "inletCut.stl", 1e-3);
+  const auto inletCut = readStlSolids(scratch / "inletCut.stl", 1.0);
   EXPECT_EQ(inletCut.names, (std::vector<std::string>{"wall", "outlet"}));
   EXPECT_TRUE(surfaceEdges(inletCut.surface).open.empty());
   EXPECT_NEAR(enclosedVolume(inletCut.surface) - enclosedVolume(bent), 1e-6 * std::numbers::pi * 0.2e-3,

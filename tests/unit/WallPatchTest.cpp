@@ -18,7 +18,7 @@ namespace {
 /// One face of 2 mm x 1 mm in the plane x = 1 mm.
 void writePatch(const std::filesystem::path& file, const char* field, const Vec3& stress) {
   vtkNew<vtkPoints> points;
-  for (const auto& p : {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 1, 2), Vec3(1, 0, 2)})
+  for (const auto& p : {Vec3(1e-3, 0, 0), Vec3(1e-3, 1e-3, 0), Vec3(1e-3, 1e-3, 2e-3), Vec3(1e-3, 0, 2e-3)})
     points->InsertNextPoint(p.data());
   vtkNew<vtkCellArray> polygons;
   const vtkIdType corners[] = {0, 1, 2, 3};
@@ -37,10 +37,10 @@ void writePatch(const std::filesystem::path& file, const char* field, const Vec3
   writer->Write();
 }
 
-TEST(WallPatch, becomesTractionInSiUnits) {
+TEST(WallPatch, becomesTraction) {
   const TemporaryFolder scratch;
   const auto file = scratch.path() / "wall.vtp";
-  writePatch(file, "wallShearStress", {50, 0, -1600});  // the part along the normal is left out
+  writePatch(file, "wallShearStress", {5e-5, 0, -1.6e-3});  // the part along the normal is left out
   std::vector<WallFace> faces;
   appendWallPatch(file, SurfaceRegion::strut, 1000.0, faces);
   ASSERT_EQ(faces.size(), 1u);

@@ -20,7 +20,7 @@ std::optional<std::string> meshingProblem(const std::string& snappyLog);
 struct MeshReport {
   bool ok = false;  ///< "Mesh OK."
   std::size_t cells = 0;
-  double volume = 0.0;            ///< [case length unit^3]
+  double volume = 0.0;            ///< [m^3]
   double nonOrthogonality = 0.0;  ///< the largest [degrees]
   std::string problem;            ///< the checks that failed, where not ok
   std::size_t skewFaces =

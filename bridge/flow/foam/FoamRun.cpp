@@ -18,8 +18,7 @@ namespace restenosis {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr double cubicMillimetre = 1e-9;  // [m^3], also [m^3/s] for mm^3/s
-constexpr double squareMillimetre = 1e-6;
+constexpr double cubicMillimetre = mm * mm * mm, squareMillimetre = mm * mm;
 
 /// Part of the wall's cells along an end's rim that snapping may leave out of the end: it makes the rim a
 /// polygon, and cuts off corners (assumed).
@@ -100,7 +99,7 @@ void FoamRun::mesh() {
 double FoamRun::checkMesh() {
   run("checkMesh", {}, On::allRanks);
   const auto report = foamLog::meshReport(foamLog::read(log("checkMesh")));
-  const double volume = report.volume * cubicMillimetre;
+  const double volume = report.volume;
   if (!(std::abs(volume - lumen_.volume) <= settings_.volumeTolerance * lumen_.volume))
     fail("checkMesh",
          fmt::format(
@@ -127,7 +126,7 @@ void FoamRun::checkEnds() {
   for (const auto& part : parts()) meshes.push_back(readPolyMesh(part));
   for (const auto& [name, end] : {std::pair{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}}) {
     double area = 0.0;
-    for (const PolyMesh& mesh : meshes) area += squareMillimetre * mesh.patchArea(name);
+    for (const PolyMesh& mesh : meshes) area += mesh.patchArea(name);
     const double cutCorners = cornersCut * settings_.wallCell() * end->perimeter;
     const double tolerance = settings_.endAreaTolerance * end->area;
     if (area > end->area + tolerance || !(area >= end->area - tolerance - cutCorners))
@@ -224,7 +223,7 @@ double FoamRun::reported(const std::string& function) const {
 }
 
 void FoamRun::checkFlow() {
-  const double in = -reported("inletFlow") * cubicMillimetre, out = reported("outletFlow") * cubicMillimetre;
+  const double in = -reported("inletFlow"), out = reported("outletFlow");
   if (!(in > 0.0)) fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
   solution_.massImbalance = std::abs(out - in) / in;
   if (!(solution_.massImbalance <= settings_.massTolerance))
@@ -232,8 +231,7 @@ void FoamRun::checkFlow() {
   if (conditions_.drive == FlowConditions::Drive::flowRate &&
       !(std::abs(in - conditions_.flowRate) <= settings_.massTolerance * conditions_.flowRate))
     fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in instead of {:.4g}", in, conditions_.flowRate));
-  solution_.pressureDrop =
-      (reported("inletPressure") - reported("outletPressure")) * conditions_.density * squareMillimetre;
+  solution_.pressureDrop = (reported("inletPressure") - reported("outletPressure")) * conditions_.density;
   // Blood that slows down in a wider outlet regains pressure: at most the kinetic energy that a parabolic
   // profile brings in (docs/model/flow.md)
   const double velocity = in / lumen_.inlet.area;

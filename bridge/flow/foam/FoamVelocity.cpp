@@ -46,10 +46,10 @@ CellVelocities readCells(const std::filesystem::path& caseFolder) {
     for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
       std::array<double, 6> box{};
       grid->GetCellBounds(c, box.data());
-      cells.centre.push_back(mm * 0.5 * Vec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]));
+      cells.centre.push_back(0.5 * Vec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]));
       Vec3 u;
       velocity->GetTuple(c, u.data());
-      cells.velocity.push_back(mm * u);
+      cells.velocity.push_back(u);
     }
     return cells;
   }

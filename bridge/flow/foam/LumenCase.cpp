@@ -105,30 +105,31 @@ BackgroundBlock blockAround(const LumenCase& lumen, int level, double coreSize) 
   return block;
 }
 
-void setLength(DictionaryText& parameters, std::string_view key, double metres) {
-  parameters.set(key, metres * mmPerMetre);
+/// A number that OpenFOAM's expressions use: as text, for of numbers they get ten decimals, whatever their
+/// size.
+void setInExpression(DictionaryText& parameters, std::string_view key, double value) {
+  parameters.set(key, fmt::format("\"{}\"", value));
 }
 
 /// What flows, and what drives it.
 void writeFlow(DictionaryText& parameters, const LumenCase& lumen, const FlowConditions& conditions) {
   const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
-  parameters.set("kinematicViscosity", conditions.kinematicViscosity * mmPerMetre * mmPerMetre);
+  parameters.set("kinematicViscosity", conditions.kinematicViscosity);
   parameters.set("density", conditions.density);
   parameters.set("drive", fixedFlow ? "flowRate" : "pressureGradient");
-  parameters.set("flowRate", conditions.flowRate * std::pow(mmPerMetre, 3));
-  parameters.set("pressureDrop",
-                 conditions.pressureGradient * lumen.length() / conditions.density * mmPerMetre * mmPerMetre);
+  setInExpression(parameters, "flowRate", conditions.flowRate);
+  parameters.set("pressureDrop", conditions.pressureGradient * lumen.length() / conditions.density);
 }
 
 void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
   const auto direction = [&](std::string_view key, const Vec3& v) {
     parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
   };
-  direction("inletCentre", profile.centre * mmPerMetre);
+  direction("inletCentre", profile.centre);
   direction("inletDirection", profile.direction);
   direction("inletXAxis", profile.xAxis);
   direction("inletYAxis", profile.yAxis);
-  setLength(parameters, "inletRadius", profile.radius);
+  setInExpression(parameters, "inletRadius", profile.radius);
   parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
 }
 
@@ -137,8 +138,8 @@ void writeBlock(DictionaryText& parameters, const LumenCase& lumen) {
                          : lumen.ends == LumenEnds::inletCut ? "inletCut"
                                                              : "caps");
   for (const auto& [axis, name] : {std::pair{0, 'x'}, {1, 'y'}, {2, 'z'}}) {
-    setLength(parameters, fmt::format("{}Min", name), lumen.block.low[axis]);
-    setLength(parameters, fmt::format("{}Max", name), lumen.block.high[axis]);
+    parameters.set(fmt::format("{}Min", name), lumen.block.low[axis]);
+    parameters.set(fmt::format("{}Max", name), lumen.block.high[axis]);
     parameters.set(fmt::format("cells{}", static_cast<char>(std::toupper(name))),
                    std::to_string(lumen.block.cells[axis]));
   }
@@ -148,7 +149,7 @@ void writeBlock(DictionaryText& parameters, const LumenCase& lumen) {
 void writeMesh(DictionaryText& parameters, const LumenCase& lumen, const FoamSettings& settings,
                bool robust) {
   const int level = lumen.block.level;
-  const Vec3 inside = (robust ? lumen.inside.back() : lumen.inside.front()) * mmPerMetre;
+  const Vec3 inside = robust ? lumen.inside.back() : lumen.inside.front();
   parameters.set("insidePoint", fmt::format("({} {} {})", inside.x(), inside.y(), inside.z()));
   parameters.set("struts", lumen.hasStruts() ? "yes" : "no");
   parameters.set("coreLevel", std::to_string(level));

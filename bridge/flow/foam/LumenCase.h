@@ -41,7 +41,7 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings);
 /// How hard the mesher and the solver try.
 enum class Effort { normal, robust };
 
-/// Writes the case's numbers into its dictionary (system/lumenParameters; mm and s).
+/// Writes the case's numbers into its dictionary (system/lumenParameters), in SI units.
 void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
                           const FlowConditions& conditions, const FoamSettings& settings, Effort effort,
                           int ranks);

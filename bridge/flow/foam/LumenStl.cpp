@@ -8,7 +8,6 @@
 #include <unordered_set>
 
 #include "AtomicFile.h"
-#include "LengthUnits.h"
 #include "StlFile.h"
 
 namespace restenosis {
@@ -20,7 +19,7 @@ void facet(fmt::memory_buffer& out, const Vec3& a, const Vec3& b, const Vec3& c)
   auto it = std::back_inserter(out);
   fmt::format_to(it, "facet normal 0 0 0\nouter loop\n");
   for (const Vec3* v : {&a, &b, &c})
-    fmt::format_to(it, "vertex {:.9g} {:.9g} {:.9g}\n", v->x() / mm, v->y() / mm, v->z() / mm);
+    fmt::format_to(it, "vertex {:.9g} {:.9g} {:.9g}\n", v->x(), v->y(), v->z());
   fmt::format_to(it, "endloop\nendfacet\n");
 }
 
@@ -48,8 +47,7 @@ void writeRims(const TriSurface& lumen, LumenEnds ends, const std::filesystem::p
   }
   fmt::memory_buffer out;
   auto it = std::back_inserter(out);
-  for (const Vec3& v : lumen.vertices)
-    fmt::format_to(it, "v {:.9g} {:.9g} {:.9g}\n", v.x() / mm, v.y() / mm, v.z() / mm);
+  for (const Vec3& v : lumen.vertices) fmt::format_to(it, "v {:.9g} {:.9g} {:.9g}\n", v.x(), v.y(), v.z());
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     const auto& t = lumen.triangles[i];
     for (int k = 0; k < 3 && ofEnd(i); ++k)

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "InnerMotion.h"
-#include "LengthUnits.h"
 #include "LumenShape.h"
 #include "NearestTriangle.h"
 #include "SurfaceEnds.h"
@@ -16,17 +15,12 @@
 namespace restenosis {
 namespace {
 
-/// How far the ends may have moved along the vessel [mm], and points of the mesh may be off them.
-constexpr double endTolerance = 1e-6;
+/// How far the ends may have moved along the vessel [m], and points of the mesh may be off them.
+constexpr double endTolerance = 1e-9;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 bool isSide(SurfaceRegion region) { return region == SurfaceRegion::wall || region == SurfaceRegion::strut; }
-
-std::vector<Vec3> inMillimetres(std::vector<Vec3> points) {
-  for (Vec3& p : points) p *= mmPerMetre;
-  return points;
-}
 
 /// The lumen's triangles on wall and struts, by their numbers.
 std::vector<std::size_t> sidesOf(const TriSurface& lumen) {
@@ -40,7 +34,7 @@ std::vector<std::size_t> sidesOf(const TriSurface& lumen) {
 NearestTriangle sides(const TriSurface& lumen) {
   Triangles triangles;
   for (const std::size_t t : sidesOf(lumen)) triangles.push_back(lumen.triangles[t]);
-  return {inMillimetres(lumen.vertices), std::move(triangles)};
+  return {lumen.vertices, std::move(triangles)};
 }
 
 /// The edges around an end, as triangles without width.
@@ -53,7 +47,7 @@ NearestTriangle rim(const TriSurface& lumen, const SurfaceEdges& edges, SurfaceR
       const auto a = lumen.triangles[t][k], b = lumen.triangles[t][(k + 1) % 3];
       around.push_back({a, b, b});
     }
-  return {inMillimetres(lumen.vertices), std::move(around)};
+  return {lumen.vertices, std::move(around)};
 }
 
 /// The faces of the mesh's wall, cut into triangles about their middles.
@@ -95,7 +89,7 @@ std::vector<bool> pointsOfEnd(const PolyMesh& mesh, std::string_view patch, doub
   return marked;
 }
 
-/// Largest distance between the mesh's wall and the lumen's, from either to the other [mm].
+/// Largest distance between the mesh's wall and the lumen's, from either to the other [m].
 double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
                  const std::vector<std::size_t>& wallFaces, const TriSurface& lumen,
                  const NearestTriangle& surface) {
@@ -110,7 +104,7 @@ double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
   for (const std::size_t t : sidesOf(lumen))
     for (const auto v : lumen.triangles[t]) onSide[v] = true;
   for (std::size_t v = 0; v < onSide.size(); ++v)
-    if (onSide[v]) largest = std::max(largest, wall.at(mmPerMetre * lumen.vertices[v]).distance);
+    if (onSide[v]) largest = std::max(largest, wall.at(lumen.vertices[v]).distance);
   return largest;
 }
 
@@ -119,8 +113,8 @@ double departure(const PolyMesh& mesh, const std::vector<Vec3>& points,
 MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
   const auto wallFaces = facesOf(mesh, {"wall", "strut"});
   if (wallFaces.empty()) throw std::runtime_error("the mesh has no wall");
-  const auto inlet = pointsOfEnd(mesh, "inlet", mmPerMetre * lumenEnd(lumen, SurfaceRegion::inlet).z);
-  const auto outlet = pointsOfEnd(mesh, "outlet", mmPerMetre * lumenEnd(lumen, SurfaceRegion::outlet).z);
+  const auto inlet = pointsOfEnd(mesh, "inlet", lumenEnd(lumen, SurfaceRegion::inlet).z);
+  const auto outlet = pointsOfEnd(mesh, "outlet", lumenEnd(lumen, SurfaceRegion::outlet).z);
   const SurfaceEdges edges = surfaceEdges(lumen);
   const NearestTriangle surface = sides(lumen), inletRim = rim(lumen, edges, SurfaceRegion::inlet),
                         outletRim = rim(lumen, edges, SurfaceRegion::outlet);
@@ -137,20 +131,19 @@ MeshMorph morphOnto(const PolyMesh& mesh, const TriSurface& lumen) {
       displacement[p] = target.at(mesh.points[p]).point - mesh.points[p];
       if (freedom[p] == PointFreedom::inPlane) displacement[p].z() = 0.0;
       freedom[p] = PointFreedom::given;
-      result.movement = std::max(result.movement, displacement[p].norm() / mmPerMetre);
+      result.movement = std::max(result.movement, displacement[p].norm());
     }
   moveInside(mesh, freedom, displacement);
   result.points = mesh.points;
   for (std::size_t i = 0; i < displacement.size(); ++i) result.points[i] += displacement[i];
-  result.departure = departure(mesh, result.points, wallFaces, lumen, surface) / mmPerMetre;
+  result.departure = departure(mesh, result.points, wallFaces, lumen, surface);
   return result;
 }
 
 void takeRegions(std::vector<WallFace>& faces, const TriSurface& lumen) {
   const auto numbers = sidesOf(lumen);
   const NearestTriangle surface = sides(lumen);
-  for (WallFace& face : faces)
-    face.region = lumen.region[numbers[surface.at(mmPerMetre * face.centre).triangle]];
+  for (WallFace& face : faces) face.region = lumen.region[numbers[surface.at(face.centre).triangle]];
 }
 
 }  // namespace restenosis

@@ -10,12 +10,12 @@ namespace restenosis {
 
 /// A mesh moved onto another lumen.
 struct MeshMorph {
-  std::vector<Vec3> points;  ///< of the mesh, in its unit, mm
+  std::vector<Vec3> points;  ///< of the mesh [m]
   double movement = 0.0;     ///< of the wall point that moved farthest [m]
   double departure = 0.0;    ///< largest distance of the mesh's wall from the lumen, or of it from that [m]
 };
 
-/// Moves the points of a mesh in mm so that its wall lies on a lumen along z [m]. Points of the patches wall
+/// Moves the points of a mesh so that its wall lies on a lumen along z [m]. Points of the patches wall
 /// and strut go to the nearest place of the lumen, whether wall or strut; those on the rims of the ends to
 /// the nearest place of the lumen's rim. The others follow (moveInside), those on an end within its plane.
 /// Throws std::runtime_error where the mesh lacks a patch or its ends do not lie in the lumen's.

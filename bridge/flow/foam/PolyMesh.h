@@ -11,7 +11,7 @@
 
 namespace restenosis {
 
-/// A mesh as the files of an OpenFOAM case hold it; lengths in the case's unit.
+/// A mesh as the files of an OpenFOAM case hold it, in metres.
 struct PolyMesh {
   struct Patch {
     std::string name;
@@ -29,7 +29,7 @@ struct PolyMesh {
   }
   /// Null where there is none of this name.
   const Patch* patch(std::string_view name) const;
-  /// Sum over the faces of a patch, in the square of the case's unit; 0 where there is none of this name.
+  /// Sum over the faces of a patch [m^2]; 0 where there is none of this name.
   double patchArea(std::string_view name) const;
   /// Of each cell the mean of its faces' means: inside it, which is all that finding cells needs.
   std::vector<Vec3> cellCentres() const;

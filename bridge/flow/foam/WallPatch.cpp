@@ -12,12 +12,9 @@
 
 #include <stdexcept>
 
-#include "LengthUnits.h"
-
 namespace restenosis {
 namespace {
 
-constexpr double square = mm * mm;
 constexpr const char* field = "wallShearStress";
 
 struct Polygon {
@@ -73,8 +70,8 @@ void appendWallPatch(const std::filesystem::path& file, SurfaceRegion region, do
     if (!value.allFinite())
       throw std::runtime_error(fmt::format("{} has a stress that is not finite", file.string()));
     const Vec3 normal = face.areaVector / area;
-    const Vec3 traction = -density * square * value;
-    faces.push_back({face.centre * mm, area * square, traction - traction.dot(normal) * normal, region});
+    const Vec3 traction = -density * value;
+    faces.push_back({face.centre, area, traction - traction.dot(normal) * normal, region});
   }
 }
 
