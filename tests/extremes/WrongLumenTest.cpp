@@ -94,6 +94,30 @@ TEST_F(WrongLumen, CutOff) {
   expectRefused(loadedScene, {"loaded.toml:6: ", "lumen.stl:", "the file is cut off"});
 }
 
+TEST_F(WrongLumen, FilesThatWereJoinedAreOneLumen) {
+  TriSurface half[2];
+  for (std::size_t t = 0; t < good.triangles.size(); ++t) {
+    TriSurface& part = half[good.centre(t).z() > vesselLength / 2];
+    part.triangles.push_back(good.triangles[t]), part.region.push_back(good.region[t]);
+  }
+  std::string joined;
+  for (TriSurface& part : half) {
+    part.vertices = good.vertices;
+    write(part);
+    joined += readText(folder / "lumen.stl");
+  }
+  writeText(folder / "lumen.stl", joined);
+  const ProcessEnd end = run({"run", scene("loaded", loadedScene), "-o", "out", "--flow", "analytic"});
+  ASSERT_EXIT_STATUS(end, 0);
+  EXPECT_NEAR(summary("out")["final"]["wssMean_Pa"], vesselStress(), 0.01 * vesselStress());
+  std::filesystem::remove_all(folder / "out");
+
+  writeText(folder / "lumen.stl", joined + std::string(50, 'x'));
+  expectRefused(loadedScene,
+                {"loaded.toml:6: ", "lumen.stl holds more than it announces: its header announces ",
+                 " triangles, it has room for "});
+}
+
 TEST_F(WrongLumen, OneEndOnly) {
   TriSurface blind = good;
   for (Vec3& v : blind.vertices)

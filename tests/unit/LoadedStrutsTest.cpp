@@ -66,6 +66,14 @@ TEST_F(LoadedStruts, PiecesMayOverlapButNonePassesThroughItself) {
   EXPECT_HAS(refusal(pierced), "a piece of the struts' surface passes through itself, at (");
 }
 
+TEST_F(LoadedStruts, FilesThatWereJoinedAreAllRead) {
+  writeStl(file, one, 1e-3);
+  const std::string first = readText(file);
+  writeStl(file, other, 1e-3);
+  writeText(file, first + readText(file));
+  EXPECT_NEAR(enclosedVolume(loadStruts(file, 1e-3)), 4e-12, 1e-17);
+}
+
 TEST_F(LoadedStruts, FilesThatAreNoSurfacesAreNamed) {
   writeText(file, "x,y,z,radius\n1,2,3,4\n");
   EXPECT_THROW(loadStruts(file, 1e-3), std::runtime_error);

@@ -78,6 +78,36 @@ TEST(StlText, AByteOrderMarkAndAMissingLastEndAreAccepted) {
   expectTwoSolids(twoSolids.substr(0, twoSolids.rfind("endsolid")));
 }
 
+TEST(StlText, ALineMayHoldSeveralStatementsOrAll) {
+  const std::string named = replaced(twoSolids, "solid\n", "solid next\n");
+  for (const std::string& line :
+       {replaced(twoSolids, "\n", " "), replaced(twoSolids, "\n", "\t "),
+        replaced(twoSolids, "\nvertex", " vertex"), replaced(twoSolids, "normal 0 0 1\n", "normal 0 0 1 "),
+        replaced(twoSolids, "outer loop\n", "OUTER LOOP "), replaced(twoSolids, "endfacet\n", "endfacet ")})
+    expectTwoSolids(line);
+  const StlTriangles read = parseStlText(replaced(named, "\n", " "), "x.stl");
+  EXPECT_EQ(read.names, (std::vector<std::string>{"the inlet", "next"}));
+  EXPECT_EQ(read.corners.size(), 2u);
+  EXPECT_EQ(refusalOfStlText(replaced(replaced(twoSolids, "vertex 1 0 0", "vertex 1 0"), "\n", " ")),
+            "x.stl:1: expected 'vertex' and three numbers, found 'vertex 1 0'");
+}
+
+TEST(StlText, NamesMayHoldWordsOfStl) {
+  for (const char* name : {"solid part", "a facet of it", "my solid", "outer loop", "vertex normal"}) {
+    const std::string text = replaced(twoSolids, "the inlet", name);
+    const StlTriangles read = parseStlText(text, "x.stl");
+    EXPECT_EQ(read.names, (std::vector<std::string>{name, ""}));
+    EXPECT_EQ(read.corners.size(), 2u);
+  }
+}
+
+TEST(StlText, ASolidMayFollowTheLastInItsLine) {
+  for (const char* between : {"", " "}) {
+    const auto at = twoSolids.find("\n\nsolid\n");
+    expectTwoSolids(std::string(twoSolids.substr(0, at)) + between + std::string(twoSolids.substr(at + 2)));
+  }
+}
+
 TEST(StlText, TheFirstWrongLineIsNamed) {
   EXPECT_EQ(refusalOfStlText("ply\nformat ascii 1.0\n"),
             "x.stl:1: expected 'solid', found 'ply': is it an STL file?");

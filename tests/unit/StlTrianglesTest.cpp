@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,11 +55,96 @@ TEST_F(StlTrianglesFile, ABinaryFileShorterThanItAnnouncesIsRefused) {
             " is cut off, or is no STL file: it has 83 bytes, the header of a binary one 84");
 }
 
-TEST_F(StlTrianglesFile, BytesAfterTheAnnouncedTrianglesAreLeftAlone) {
-  for (const std::size_t more : {1, 49, 50, 170}) {
-    writeText(file, whole + std::string(more, 'x'));
-    EXPECT_EQ(readStlTriangles(file).corners.size(), count) << more;
+TEST_F(StlTrianglesFile, FewerBytesThanATriangleBehindTheAnnouncedOnesAreLeftAlone) {
+  for (const char fill : {'x', '\0', ' ', '\n', '\xFF'})
+    for (const std::size_t more : {1, 2, 49}) {
+      writeText(file, whole + std::string(more, fill));
+      EXPECT_EQ(readStlTriangles(file).corners.size(), count) << more;
+    }
+}
+
+TEST_F(StlTrianglesFile, MoreThanIsAnnouncedIsReadOrRefusedWithBothCounts) {
+  const auto says = [](std::size_t announced, std::size_t room, std::size_t bytes) {
+    return fmt::format(
+        " holds more than it announces: its header announces {} triangles, it has room for {}, and the {} "
+        "bytes behind the announced ones are not whole further solids. Export it again",
+        announced, room, bytes);
+  };
+  for (const char fill : {'x', '\0', ' ', '\n', '\xFF'})
+    for (const std::size_t more : {50, 84, 100, 170})
+      EXPECT_EQ(refusal(whole + std::string(more, fill)), says(3328, 3328 + more / 50, more)) << int(fill);
+  for (const std::size_t fewer : {1, 2, 3, 1000, 3327})
+    EXPECT_EQ(refusal(announcing(3328 - fewer)), says(3328 - fewer, 3328, 50 * fewer));
+  EXPECT_EQ(refusal(whole + whole.substr(0, whole.size() - 1)), says(3328, 6657, 166483));
+  EXPECT_EQ(refusal(whole + whole + std::string(60, 'x')), says(3328, 6658, 166544));
+  EXPECT_EQ(refusal(whole + "some text that says what this is, and for whom it was made"),
+            says(3328, 3329, 58));
+}
+
+TEST_F(StlTrianglesFile, AHeaderThatAnnouncesNoneOfItsTrianglesIsRefused) {
+  const std::string says =
+      " has a header that announces 0 triangles, but room for 3328: what wrote it has not filled in their "
+      "number. Export it again";
+  EXPECT_EQ(refusal(announcing(0)), says);
+  EXPECT_EQ(refusal(std::string(84, '\0') + whole.substr(84)), says);
+  EXPECT_EQ(refusal(announcing(0).substr(0, 84)), " holds no triangles");
+  EXPECT_EQ(refusal(announcing(0).substr(0, 84) + "\n"), " holds no triangles");
+}
+
+/// Corners and solids of files one after the other.
+TEST_F(StlTrianglesFile, FilesOfEitherKindMayBeJoined) {
+  writeNamedStl(file, surface, 1e-3);
+  const std::string ascii = readText(file), unended = ascii.substr(0, ascii.size() - 1);
+  const std::string unnamed = "solid\n" + ascii.substr(ascii.find("facet"), ascii.find("endsolid") - 11) +
+                              "endsolid";  // the wall, without names and a last line end
+  ASSERT_TRUE(unnamed.ends_with("endfacet\nendsolid"));
+  const std::string empty = announcing(0).substr(0, 84);
+  using Names = std::vector<std::string>;
+  const struct {
+    std::string content;
+    std::size_t triangles;
+    Names names;
+  } cases[] = {{whole + whole, 2 * count, {"", ""}},
+               {whole + whole + whole + std::string(10, '\0'), 3 * count, {"", "", ""}},
+               {empty + whole, count, {"", ""}},
+               {whole + empty, count, {"", ""}},
+               {whole + empty + whole, 2 * count, {"", "", ""}},
+               {whole + ascii, 2 * count, {"", "wall", "inlet", "outlet"}},
+               {whole + "\n" + ascii, 2 * count, {"", "wall", "inlet", "outlet"}},
+               {whole + unended + whole, 3 * count, {"", "wall", "inlet", "outlet", ""}},
+               {ascii + whole, 2 * count, {"wall", "inlet", "outlet", ""}},
+               {unended + whole, 2 * count, {"wall", "inlet", "outlet", ""}},
+               {unended + ascii, 2 * count, {"wall", "inlet", "outlet", "wall", "inlet", "outlet"}},
+               {unnamed + whole, 3072 + count, {"", ""}},
+               {unnamed + ascii, 3072 + count, {"", "wall", "inlet", "outlet"}},
+               {ascii + whole + ascii + whole + whole,
+                5 * count,
+                {"wall", "inlet", "outlet", "", "wall", "inlet", "outlet", "", ""}},
+               {ascii + std::string(20, '\0') + "\n\x1A", count, {"wall", "inlet", "outlet"}}};
+  for (const auto& c : cases) {
+    ASSERT_EQ(refusal(c.content), "accepted") << &c - cases;
+    const StlTriangles read = readStlTriangles(file);
+    EXPECT_EQ(read.corners.size(), c.triangles) << &c - cases;
+    EXPECT_EQ(read.solid.size(), c.triangles) << &c - cases;
+    EXPECT_EQ(read.names, c.names) << &c - cases;
   }
+  // The last triangle and its solid are those of the last file
+  writeText(file, ascii + whole);
+  const StlTriangles joined = readStlTriangles(file);
+  writeText(file, whole);
+  EXPECT_EQ(joined.corners.back(), readStlTriangles(file).corners.back());
+  EXPECT_EQ(joined.solid.back(), 3u);
+}
+
+TEST_F(StlTrianglesFile, WhatFollowsAText) {
+  writeNamedStl(file, surface, 1e-3);
+  const std::string ascii = readText(file);
+  EXPECT_EQ(
+      refusal(ascii + std::string(100, '\x01')),
+      " holds more than solids: 3328 triangles end with the text, and the 100 bytes behind it, room for "
+      "2 more, are not whole further solids. Export it again");
+  EXPECT_EQ(refusal(whole + "solid x\nfacet normal 0 0 1\nouter loop\nvertx 0 0 0\n"),
+            ", text from byte 166485 on:4: expected 'vertex', found 'vertx 0 0 0'");
 }
 
 TEST_F(StlTrianglesFile, ABinaryFileMayBeginAsAnAsciiOne) {
@@ -88,7 +174,6 @@ TEST_F(StlTrianglesFile, BothKindsHaveTheSameTriangles) {
 TEST_F(StlTrianglesFile, WhatIsNoStlIsNamed) {
   EXPECT_EQ(refusal(""), " is empty: it must be an STL file");
   EXPECT_EQ(refusal("solid nothing\nendsolid nothing\n"), " holds no triangles");
-  EXPECT_EQ(refusal(announcing(0)), " holds no triangles");
   EXPECT_EQ(refusal("not a surface"), ":1: expected 'solid', found 'not a surface': is it an STL file?");
   std::string broken = whole;
   const float nan = std::numeric_limits<float>::quiet_NaN();
