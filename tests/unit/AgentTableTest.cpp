@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <tuple>
 
 #include "AgentTable.h"
 
@@ -81,6 +82,27 @@ TEST_F(AgentTableTest, ShowsNoMoreOfACellThanFitsALine) {
         "x,y,z,radius,kind\n1,2,3,15," + longText + "\n", longText + "," + longText + "\n"})
     EXPECT_LT(errorOf(text).size(), file.string().size() + 200);
   EXPECT_NE(errorOf("x,y,z,\x1b[31mred\n").find("unknown column '?[31mred'"), std::string::npos);
+}
+
+TEST_F(AgentTableTest, SaysThatCommasSeparate) {
+  const std::string header = "x,y,z,radius,kind\n";
+  for (const auto& [text, line, mark] :
+       {std::tuple<std::string, int, std::string>{"x;y;z;radius\n1;2;3;15\n", 1, "semicolons"},
+        {"x\ty\tz\tradius\n1\t2\t3\t15\n", 1, "tabs"},
+        {"x|y|z|radius\n", 1, "bars"},
+        {"x y z radius\n", 1, "blanks"},
+        {"\"x\";\"y\";\"z\";\"radius\"\n", 1, "semicolons"},
+        {"x,y,z,radius;\n", 1, "semicolons"},
+        {header + "1;2;3;15;smc\n", 2, "semicolons"},
+        {header + "1,5;2,5;3,5;15,0;smc\n", 2, "semicolons"},
+        {header + "1,2,3,15,smc\n1\t2\t3\t15\tsmc\n", 3, "tabs"},
+        {header + "1 2 3 15 smc\n", 2, "blanks"}}) {
+    const std::string error = errorOf(text);
+    EXPECT_TRUE(error.starts_with(file.string() + ":" + std::to_string(line) + ": ")) << error;
+    EXPECT_NE(error.find("its cells seem to be separated by " + mark + ", but commas separate"),
+              std::string::npos)
+        << error;
+  }
 }
 
 TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {

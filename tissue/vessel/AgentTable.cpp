@@ -48,6 +48,16 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   }
 }
 
+/// What a text seems to be separated by instead of commas, for people; empty where nothing seems so.
+std::string_view otherSeparator(std::string_view text) {
+  for (const auto& [mark, name] :
+       {std::pair<char, std::string_view>{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}})
+    if (text.find(mark) != std::string_view::npos) return name;
+  const bool blanksOnly =
+      text.find(',') == std::string_view::npos && text.find(' ') != std::string_view::npos;
+  return blanksOnly ? "blanks" : "";
+}
+
 class TableReader {
  public:
   TableReader(const std::filesystem::path& file, AgentKind defaultKind)
@@ -97,6 +107,17 @@ class TableReader {
     throw AgentTableError(fmt::format("{}:{}: {}", file_.string(), line_, message));
   }
 
+  /// Fails with the message, or with the reason for it where cells are separated as spreadsheets do it in
+  /// countries whose decimals have a comma.
+  [[noreturn]] void failIn(std::string_view text, const std::string& message) const {
+    const auto other = otherSeparator(text);
+    if (other.empty()) fail(message);
+    fail(fmt::format(
+        "{}: its cells seem to be separated by {}, but commas separate the cells of a table, as in "
+        "\"x,y,z,radius\", and decimals have a point",
+        shown(text), other));
+  }
+
   void readHeader(std::string_view text) {
     const auto names = cellsOf(text);
     width_ = names.size();
@@ -109,8 +130,8 @@ class TableReader {
         known = true;
       }
       if (!known) {
-        fail(fmt::format("unknown column {}{} (lengths in um)", shown(names[n]),
-                         suggestion(names[n], {columnNames.begin(), columnNames.end()})));
+        failIn(names[n], fmt::format("unknown column {}{} (lengths in um)", shown(names[n]),
+                                     suggestion(names[n], {columnNames.begin(), columnNames.end()})));
       }
     }
     for (int column = 0; column < columnKind; ++column) {
@@ -123,7 +144,7 @@ class TableReader {
   void readAgent(std::string_view text, AgentStore& agents) const {
     const auto cells = cellsOf(text);
     if (cells.size() != width_) {
-      fail(fmt::format("{} cells where the header names {} columns", cells.size(), width_));
+      failIn(text, fmt::format("{} cells where the header names {} columns", cells.size(), width_));
     }
     std::array<double, columnKind> value;
     for (int column = 0; column < columnKind; ++column) {
@@ -153,7 +174,7 @@ class TableReader {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-      fail(fmt::format("column '{}': {} is not a finite number", column, shown(cell)));
+      failIn(cell, fmt::format("column '{}': {} is not a finite number", column, shown(cell)));
     }
     return value;
   }
