@@ -15,6 +15,7 @@
 #include "FlowForecast.h"
 #include "FoamPath.h"
 #include "OptionChecks.h"
+#include "Plan.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -110,6 +111,9 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   if (scene.flow && scene.flow->backend == flowBackendNames::foam) requireFoamPath(path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
+  std::cerr << surfacesText(scene);
+  if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
+    for (const std::string& remark : scene.lumenRemarks) std::cerr << remark << '\n';
   for (const std::string& known : flowForecast(scene, arguments.ranks))
     std::cerr << fmt::format("The flow, once it is due, {}\n", known);
   Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);

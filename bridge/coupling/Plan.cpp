@@ -196,12 +196,24 @@ std::vector<PlannedPart> planParts(const Scene& scene) {
   return parts;
 }
 
+std::string surfacesText(const Scene& scene) {
+  std::string text;
+  if (!scene.lumenParts.empty()) text += fmt::format("lumen of {}:\n", scene.vessel.lumenSurface);
+  for (const std::string& part : scene.lumenParts) text += fmt::format("  {}\n", part);
+  if (!scene.stent) return text;
+  if (const std::string struts = describeStentFile(*scene.stent); !struts.empty())
+    text += fmt::format("stent of {}:\n  {:<7} {}\n", scene.stent->file, "strut", struts);
+  return text;
+}
+
 std::string planText(const Scene& scene) {
   const std::uint32_t steps = stepCount(scene.scene);
   std::string text = fmt::format("{}: {}\n", scene.file.string(), scene.scene.title);
   text += fmt::format("vessel {:g} mm long, lumen {:g} mm; {:g} days in {} steps of {:g} h; fidelity {}\n",
                       scene.vessel.length * 1e3, scene.vessel.lumenDiameter * 1e3, scene.scene.duration / day,
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
+  text += surfacesText(scene);
+  for (const std::string& remark : scene.lumenRemarks) text += remark + "\n";
   for (const PlannedPart& part : planParts(scene))
     text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
   return text + flowText(scene) + tissueText(scene, steps);

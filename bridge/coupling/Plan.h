@@ -18,6 +18,11 @@ struct PlannedPart {
 /// rules the schedule follows.
 std::vector<PlannedPart> planParts(const Scene& scene);
 
+/// What the files of a scene that hold surfaces are taken to be: of a lumen inlet, outlet, wall and strut
+/// with their area, place and origin, of a stent its struts. Empty where there are none. Throws as makeStent
+/// does.
+std::string surfacesText(const Scene& scene);
+
 /// The plan as text: what is modelled, the parts, agents (struts included; of a loaded wall those of its
 /// table), estimated memory and time. Throws as makeStent does.
 std::string planText(const Scene& scene);

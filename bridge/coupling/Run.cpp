@@ -175,6 +175,8 @@ Wall Run::initialWall() {
 }
 
 void Run::prepareWall() {
+  if (!scene_.vessel.lumenSurface.empty())
+    for (const std::string& text : scene_.lumenRemarks) remark(text);
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
     const std::string stage = scene_.vessel.agents.empty() ? "packing the wall" : "loading the wall";

@@ -131,7 +131,10 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
   };
   TriSurface lumen;
   try {
-    lumen = loadLumen(vessel);
+    DescribedLumen loaded = loadDescribedLumen(vessel);
+    lumen = std::move(loaded.surface);
+    scene.lumenParts = std::move(loaded.parts);
+    scene.lumenRemarks = std::move(loaded.remarks);
     requireLumenWithPlanarEnds(lumen);
   } catch (const std::exception& error) {
     blameVessel("lumenSurface", error.what());

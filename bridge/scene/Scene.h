@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "CellCycleParameters.h"
 #include "ContactInhibitionParameters.h"
@@ -36,6 +38,10 @@ struct Scene {
   std::optional<LbmSettings> lbm;    ///< the same
   CouplingParameters coupling;
   OutputParameters output;
+  /// What was found in the surface of `vessel.lumenSurface`, a line a part (`lumenParts`).
+  std::vector<std::string> lumenParts;
+  /// What may be a mistake in the lumen, of a file or not.
+  std::vector<std::string> lumenRemarks;
 
   /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
   bool hasTissue() const { return mechanics.has_value(); }

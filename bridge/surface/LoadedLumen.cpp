@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "LengthUnit.h"
 #include "LumenCap.h"
+#include "LumenParts.h"
 #include "LumenRefusal.h"
 #include "LumenRims.h"
+#include "NamedSolids.h"
+#include "SolidNames.h"
 #include "StlFile.h"
 #include "SurfaceCrossings.h"
 #include "SurfaceEnds.h"
@@ -41,51 +44,22 @@ void requireDepth(const TriSurface& s) {
                             s.triangles.size() == 1 ? "triangle" : "triangles in one plane"));
 }
 
-/// What a solid's name says.
-std::optional<SurfaceRegion> meaning(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const auto& [word, region] : {std::pair{"inlet", SurfaceRegion::inlet},
-                                     {"outlet", SurfaceRegion::outlet},
-                                     {"strut", SurfaceRegion::strut},
-                                     {"stent", SurfaceRegion::strut}})
-    if (name.find(word) != std::string::npos) return region;
-  return std::nullopt;
-}
-
-/// Parts of an end that no edge joins.
-std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
-  std::set<std::uint32_t> left(end.triangles.begin(), end.triangles.end());
-  std::vector<LumenCap> pieces;
-  while (!left.empty()) {
-    LumenCap piece{{*left.begin()}, end.named};
-    left.erase(left.begin());
-    for (std::size_t n = 0; n < piece.triangles.size(); ++n)
-      for (const std::uint32_t other : edges.beyond[piece.triangles[n]])
-        if (left.erase(other) > 0) piece.triangles.push_back(other);
-    pieces.push_back(std::move(piece));
+/// Says which pieces there are, the largest first.
+[[noreturn]] void refusePieces(const StlSolids& file, const std::vector<std::uint32_t>& pieceOf) {
+  std::vector<std::vector<std::uint32_t>> pieces(1 + std::ranges::max(pieceOf));
+  for (std::uint32_t t = 0; t < pieceOf.size(); ++t) pieces[pieceOf[t]].push_back(t);
+  std::ranges::stable_sort(pieces, std::greater(), [](const auto& piece) { return piece.size(); });
+  std::string list;
+  for (std::size_t n = 0; n < std::min(pieces.size(), placesShown); ++n) {
+    const std::string solids = shownSolids(file, pieces[n]);
+    list += fmt::format("{} {}{}{}", n == 0 ? "" : ";", shownExtent(file.surface, pieces[n]),
+                        solids.empty() ? "" : ", of ", solids);
   }
-  return pieces;
-}
-
-std::vector<LumenCap> namedEnds(const StlSolids& file, const SurfaceEdges& edges) {
-  std::vector<LumenCap> ends;
-  for (const SurfaceRegion which : {SurfaceRegion::inlet, SurfaceRegion::outlet}) {
-    LumenCap end{{}, which};
-    for (std::uint32_t t = 0; t < file.solid.size(); ++t)
-      if (meaning(file.names[file.solid[t]]) == which) end.triangles.push_back(t);
-    if (end.triangles.empty()) continue;
-    const auto pieces = piecesOf(end, edges);
-    if (pieces.size() > 1)
-      refuseLumen(
-          fmt::format("what is named {} is {} separate pieces, {:.4g} mm wide around {} and {:.4g} mm "
-                      "around {}; it must be one end",
-                      regionName(which), pieces.size(), 1e3 * pieces[0].diameter(file.surface),
-                      shownPlace(pieces[0].centre(file.surface)), 1e3 * pieces[1].diameter(file.surface),
-                      shownPlace(pieces[1].centre(file.surface))));
-    ends.push_back(std::move(end));
-  }
-  return ends;
+  refuseLumen(fmt::format(
+      "it consists of {} separate pieces; a lumen is one. They are{}{}. Remove those that are not the "
+      "lumen's "
+      "wall; join those that touch, so that their triangles have the vertices of their common edge in common",
+      pieces.size(), list, pieces.size() > placesShown ? "; and more" : ""));
 }
 
 /// Puts the vertices of an end exactly into its plane.
@@ -97,6 +71,26 @@ void flatten(TriSurface& s, const LumenCap& end) {
                             1e3 * plane.departure));
   for (const auto v : vertices)
     s.vertices[v] -= plane.normal.dot(s.vertices[v] - plane.centre) * plane.normal;
+}
+
+/// What is said of other ends than two.
+[[noreturn]] void refuseEnds(const TriSurface& s, const std::vector<LumenCap>& ends, std::size_t open) {
+  std::string where;
+  for (std::size_t n = 0; n < std::min(ends.size(), placesShown); ++n)
+    where += fmt::format("{} {:.4g} mm wide around {}", n == 0 ? ":" : ",", 1e3 * ends[n].diameter(s),
+                         shownPlace(ends[n].centre(s)));
+  if (ends.size() > placesShown) where += ", and more";
+  if (ends.size() > 2)
+    refuseLumen(fmt::format(
+        "it needs two planar ends, one inlet and one outlet, but {} were found ({} of them open){}. "
+        "Bifurcations are not supported: take one branch; or close the others and name the solids of "
+        "the ends inlet and outlet, which also tells ends from other flat faces",
+        ends.size(), open, where));
+  refuseLumen(fmt::format(
+      "it needs two planar ends, open or closed by a flat cap with a sharp rim, but {} {} found ({} "
+      "of them open){}. Cut the ends straight, close holes, or name the solids of the ends inlet "
+      "and outlet",
+      ends.size(), ends.size() == 1 ? "was" : "were", open, where));
 }
 
 /// The two ends, or a refusal that says what was found. Where just two rims are open, these are the ends: the
@@ -111,18 +105,17 @@ std::vector<LumenCap> findEnds(TriSurface& s, std::vector<LumenCap> ends, std::s
       if (std::none_of(cap.begin(), cap.end(), [&](auto t) { return taken[t]; }))
         ends.push_back({std::move(cap), std::nullopt});
   }
-  if (ends.size() != 2) {
-    std::string where;
-    for (std::size_t n = 0; n < std::min(ends.size(), placesShown); ++n)
-      where += fmt::format("{} {:.4g} mm wide around {}", n == 0 ? ":" : ",", 1e3 * ends[n].diameter(s),
-                           shownPlace(ends[n].centre(s)));
-    refuseLumen(
-        fmt::format("it needs two planar ends, open or closed by a flat cap with a sharp rim, but {} {} "
-                    "found ({} of them open){}. Cut the ends straight, close holes, or name the solids of "
-                    "the ends inlet and outlet",
-                    ends.size(), ends.size() == 1 ? "was" : "were", rims, where));
-  }
+  if (ends.size() != 2) refuseEnds(s, ends, rims);
   return ends;
+}
+
+/// More open rims than two are those of a bifurcation, whether they are planar or not.
+void refuseManyRims(const TriSurface& s, const std::vector<Rim>& rims) {
+  if (rims.size() < 3) return;
+  TriSurface closed = s;
+  std::vector<LumenCap> ends;
+  for (const Rim& rim : rims) ends.push_back(closeByFan(closed, rim, fitPlane(closed, rim).centre));
+  refuseEnds(closed, ends, rims.size());
 }
 
 /// Puts the inlet first.
@@ -131,10 +124,7 @@ void sortEnds(const TriSurface& s, std::vector<LumenCap>& ends) {
   if (ends[0].named || ends[1].named) {
     swap = ends[0].named == SurfaceRegion::outlet || ends[1].named == SurfaceRegion::inlet;
   } else {
-    Eigen::Index axis = 0;
-    const Vec3 between = ends[1].centre(s) - ends[0].centre(s);
-    between.cwiseAbs().maxCoeff(&axis);
-    swap = between[axis] < 0.0;
+    swap = (ends[1].centre(s) - ends[0].centre(s))[axisBetween(s, ends)] < 0.0;
   }
   if (swap) std::swap(ends[0], ends[1]);
 }
@@ -154,49 +144,91 @@ void requireSize(const TriSurface& s, const std::vector<LumenCap>& ends) {
                       1e3 * d, 1e3 * leastDiameter, 1e3 * largestDiameter));
 }
 
+/// A cap of a strut is no end.
+void requireEndsOfWall(const StlSolids& file, const std::vector<LumenCap>& ends) {
+  for (const LumenCap& end : ends) {
+    if (end.named) continue;
+    const auto strut = std::ranges::find_if(end.triangles, [&](auto t) {
+      return t < file.solid.size() && file.surface.region[t] == SurfaceRegion::strut;
+    });
+    if (strut == end.triangles.end()) continue;
+    refuseLumen(
+        fmt::format("in {}, named as struts, there is the end of the lumen {:.4g} mm wide around {}. "
+                    "Rename it, or give the end a solid of its own",
+                    shownSolids(file.names, {file.solid[*strut]}), 1e3 * end.diameter(file.surface),
+                    shownPlace(end.centre(file.surface))));
+  }
+}
+
+void requireWall(const StlSolids& file) {
+  const auto& regions = file.surface.region;
+  if (std::ranges::find(regions, SurfaceRegion::wall) != regions.end()) return;
+  std::vector<std::uint32_t> struts;
+  for (std::uint32_t t = 0; t < regions.size(); ++t)
+    if (regions[t] == SurfaceRegion::strut) struts.push_back(t);
+  if (struts.empty()) refuseLumen("there is no wall in it: all of it is inlet and outlet");
+  refuseLumen(fmt::format(
+      "there is no wall in it: beside the ends there is only {}, named as struts; rename that of the wall",
+      shownSolids(file, struts)));
+}
+
 }  // namespace
 
-TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
-  StlSolids read = readStlSolids(file, metresPerUnit);
-  TriSurface& s = read.surface;
+DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metresPerUnit) {
+  StlSolids file = readStlSolids(path, metresPerUnit);
+  TriSurface& s = file.surface;
   requireDepth(s);
-  if (const std::size_t crowded = surfaceEdges(s).crowded; crowded > 0)
-    refuseLumen(fmt::format("{} edges have more than two triangles: parts of it overlap or meet in one edge",
-                            crowded));
+  const auto named = namedRegions(file);
+  if (const auto& crowded = surfaceEdges(s).crowdedEdges; !crowded.empty())
+    refuseLumen(
+        fmt::format("{} more than two triangles: {}. Parts of it overlap or meet in one edge "
+                    "there; remove what is there twice or lies within the lumen, or move the parts asunder",
+                    crowded.size() == 1 ? "an edge has" : fmt::format("{} edges have", crowded.size()),
+                    shownEdges(s, crowded)));
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
-    if (meaning(read.names[read.solid[t]]) == SurfaceRegion::strut) s.region[t] = SurfaceRegion::strut;
+    if (named[file.solid[t]] == SurfaceRegion::strut) s.region[t] = SurfaceRegion::strut;
 
   const std::vector<std::uint32_t> pieceOf = orientPieces(s);
-  if (const std::size_t pieces = 1 + std::ranges::max(pieceOf); pieces != 1)
-    refuseLumen(fmt::format("it consists of {} separate pieces; a lumen is one", pieces));
+  if (std::ranges::max(pieceOf) > 0) refusePieces(file, pieceOf);
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.opposed > 0) refuseLumen("it has only one side, like a Moebius strip");
-  std::vector<LumenCap> ends = namedEnds(read, edges);
+  std::vector<LumenCap> ends = namedEnds(file, named, edges);
   const std::vector<Rim> rims = endRims(s, edges);
   // Before ends are closed and made planar: in the file's own shape, and not where that moves vertices
   if (const SurfaceCrossings crossings = surfaceCrossings(s, pieceOf); crossings.edges > 0)
     refuseLumen(fmt::format("it passes through itself: {} {} through other triangles of it, {} at {}",
                             crossings.edges, crossings.edges == 1 ? "edge goes" : "edges go",
                             crossings.edges == 1 ? "that" : "one", shownPlace(crossings.place)));
+  refuseManyRims(s, rims);
   for (const Rim& rim : rims) ends.push_back(closeRim(s, rim));
   turnOutwards(s);
 
   ends = findEnds(s, std::move(ends), rims.size());
   requireSize(s, ends);
+  requireEndsOfWall(file, ends);
   for (const LumenCap& end : ends) flatten(s, end);
   sortEnds(s, ends);
   for (const auto t : ends[0].triangles) s.region[t] = SurfaceRegion::inlet;
   for (const auto t : ends[1].triangles) s.region[t] = SurfaceRegion::outlet;
-  if (std::ranges::find(s.region, SurfaceRegion::wall) == s.region.end())
-    refuseLumen(
-        "there is no wall in it: every solid beside the ends has 'strut' or 'stent' in its name; rename that "
-        "of the wall");
-  return s;
+  requireWall(file);
+  DescribedLumen result;
+  result.parts = lumenParts(file, ends);
+  if (std::string faces = remarkOnOtherFaces(file, ends); !faces.empty())
+    result.remarks.push_back(std::move(faces));
+  if (std::string struts = remarkOnStruts(file); !struts.empty()) result.remarks.push_back(std::move(struts));
+  result.surface = std::move(s);
+  return result;
 }
 
-TriSurface loadLumen(const VesselParameters& vessel) {
-  return loadLumen(vessel.lumenSurface, metresPer(vessel.lumenSurfaceUnit));
+DescribedLumen loadDescribedLumen(const VesselParameters& vessel) {
+  return loadDescribedLumen(vessel.lumenSurface, metresPer(vessel.lumenSurfaceUnit));
 }
+
+TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
+  return loadDescribedLumen(file, metresPerUnit).surface;
+}
+
+TriSurface loadLumen(const VesselParameters& vessel) { return loadDescribedLumen(vessel).surface; }
 
 double endDiameter(const TriSurface& lumen, SurfaceRegion end) {
   Vec3 sum = Vec3::Zero();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "TriSurface.h"
 #include "VesselParameters.h"
@@ -12,9 +14,9 @@ namespace restenosis {
 /// inlet and outlet (docs/model/lumen.md).
 ///
 /// Nothing need be named. Ends are planar caps whose whole rim is a sharp convex edge, or open planar rims,
-/// which are capped; there must be two. Solids of an ASCII file whose names contain "inlet", "outlet" and
-/// "strut" or "stent" say what they are. Without such names the inlet is the end with the lower coordinate
-/// along the axis (x, y or z) on which the ends' centres differ most.
+/// which are capped; there must be two. Solids of an ASCII file may say by their names what they are
+/// (`meaningsOf`). Without such names the inlet is the end with the lower coordinate along the axis (x, y or
+/// z) on which the ends' centres differ most.
 ///
 /// Throws std::runtime_error, saying what is wrong and what was found instead, where the file cannot be read
 /// or is no such lumen.
@@ -22,6 +24,17 @@ TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit);
 
 /// The same for the surface that a vessel names, in the unit that it names.
 TriSurface loadLumen(const VesselParameters& vessel);
+
+/// A lumen with what is to be told of it.
+struct DescribedLumen {
+  TriSurface surface;
+  std::vector<std::string> parts;    ///< inlet, outlet, wall and strut, a line each (`lumenParts`)
+  std::vector<std::string> remarks;  ///< what may be a mistake
+};
+
+/// As loadLumen.
+DescribedLumen loadDescribedLumen(const std::filesystem::path& file, double metresPerUnit);
+DescribedLumen loadDescribedLumen(const VesselParameters& vessel);
 
 /// Diameter of the circle with the area of this end [m].
 double endDiameter(const TriSurface& lumen, SurfaceRegion end);

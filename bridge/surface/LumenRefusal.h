@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "SurfaceEnds.h"
 #include "TriSurface.h"
 
 namespace restenosis {
@@ -14,5 +16,8 @@ constexpr std::size_t placesShown = 6;
 
 /// A place [m] for people, in mm without the round-off of zeros.
 std::string shownPlace(const Vec3& place);
+
+/// Lengths and middles of edges for messages.
+std::string shownEdges(const TriSurface& surface, const std::vector<OpenEdge>& edges);
 
 }  // namespace restenosis

@@ -15,19 +15,6 @@
 namespace restenosis {
 namespace {
 
-/// Closes an open rim by a fan about a point.
-LumenCap closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
-  LumenCap end;
-  const auto middle = static_cast<std::uint32_t>(s.vertices.size());
-  s.vertices.push_back(centre);
-  for (std::size_t k = 0; k < rim.size(); ++k) {
-    end.triangles.push_back(static_cast<std::uint32_t>(s.triangles.size()));
-    s.triangles.push_back({rim[(k + 1) % rim.size()], rim[k], middle});
-    s.region.push_back(SurfaceRegion::wall);
-  }
-  return end;
-}
-
 /// Says where holes are, how wide, and which of them are in a cap.
 [[noreturn]] void refuseHoles(TriSurface s, const std::vector<Rim>& rims, const std::vector<bool>& isHole) {
   std::vector<LumenCap> closed;
@@ -57,6 +44,18 @@ LumenCap closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
 }
 
 }  // namespace
+
+LumenCap closeByFan(TriSurface& s, const Rim& rim, const Vec3& centre) {
+  LumenCap end;
+  const auto middle = static_cast<std::uint32_t>(s.vertices.size());
+  s.vertices.push_back(centre);
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    end.triangles.push_back(static_cast<std::uint32_t>(s.triangles.size()));
+    s.triangles.push_back({rim[(k + 1) % rim.size()], rim[k], middle});
+    s.region.push_back(SurfaceRegion::wall);
+  }
+  return end;
+}
 
 std::vector<Rim> endRims(const TriSurface& s, const SurfaceEdges& edges) {
   std::vector<Rim> rims;

@@ -14,6 +14,9 @@ using Rim = std::vector<std::uint32_t>;  ///< vertices in order
 /// close.
 std::vector<Rim> endRims(const TriSurface& surface, const SurfaceEdges& edges);
 
+/// Closes an open rim by a fan about a point, oriented as the surface.
+LumenCap closeByFan(TriSurface& surface, const Rim& rim, const Vec3& centre);
+
 /// Closes an open rim by a fan about its centre, all in the rim's plane, oriented as the surface. Throws
 /// std::runtime_error if the rim is not planar (`lumenEndPlanarity`).
 LumenCap closeRim(TriSurface& surface, const Rim& rim);

@@ -101,6 +101,10 @@ AgentTable readStruts(const StentParameters& stent, const VesselParameters& vess
   return readAgentTable(stent.file, AgentKind::strut);
 }
 
+std::string describeStentFile(const StentParameters& stent) {
+  return isStl(stent.file) ? describeStruts(stent.file, metresPer(stent.fileUnit)) : "";
+}
+
 Stent makeStent(const StentParameters& stent, const VesselParameters& vessel) {
   return stent.file.empty() ? stentOfDesign(stent, vessel)
                             : stentOfSpheres(readStruts(stent, vessel), vessel);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "AgentTable.h"
 #include "Stent.h"
 #include "StentParameters.h"
@@ -13,6 +15,9 @@ namespace restenosis {
 /// outwardsToLumen to say. Throws std::runtime_error, which names the file and says what is wrong and what is
 /// allowed; AgentTableError for a table.
 AgentTable readStruts(const StentParameters& stent, const VesselParameters& vessel);
+
+/// What the STL that a stent names holds, for people; empty where it names none. Throws as readStruts does.
+std::string describeStentFile(const StentParameters& stent);
 
 /// The stent of a scene before deployment, its outer face at the lumen's surface: of a design or from a file.
 /// Throws std::runtime_error for a file that cannot be used, std::invalid_argument for an unknown design.

@@ -96,6 +96,8 @@ SurfaceEdges surfaceEdges(const TriSurface& surface) {
       if (a.forward == b.forward) ++edges.opposed;
     } else {
       ++edges.crowded;
+      const auto& t = surface.triangles[a.triangle];
+      edges.crowdedEdges.push_back({t[a.side], t[(a.side + 1) % 3]});
     }
   }
   return edges;

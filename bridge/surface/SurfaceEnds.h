@@ -16,8 +16,9 @@ struct SurfaceEdges {
   /// By triangle and side (from corner k to the next): the triangle beyond, or `none`.
   std::vector<std::array<std::uint32_t, 3>> beyond;
   std::vector<OpenEdge> open;
-  std::size_t crowded = 0;  ///< edges of more than two triangles
-  std::size_t opposed = 0;  ///< edges whose two triangles run along them in the same direction
+  std::size_t crowded = 0;             ///< edges of more than two triangles
+  std::vector<OpenEdge> crowdedEdges;  ///< those, each in the direction of one of its triangles
+  std::size_t opposed = 0;             ///< edges whose two triangles run along them in the same direction
 };
 SurfaceEdges surfaceEdges(const TriSurface& surface);
 

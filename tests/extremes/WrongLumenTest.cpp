@@ -118,6 +118,36 @@ TEST_F(WrongLumen, FilesThatWereJoinedAreOneLumen) {
                  " triangles, it has room for "});
 }
 
+TEST_F(WrongLumen, ASolidsNameThatDoesNotFitIt) {
+  writeNamedStl(folder / "lumen.stl", good, 1e-3);
+  const std::string text = readText(folder / "lumen.stl");
+  const auto rename = [&](std::string_view name) {
+    const auto from = std::string("solid wall"), to = "solid " + std::string(name);
+    writeText(folder / "lumen.stl", with(with(text, from, to), "endsolid wall", "end" + to));
+  };
+  rename("STL of lumen with inlet and outlet");
+  expectRefused(loadedScene,
+                {"loaded.toml:6: ", "the name of the solid 'STL of lumen with inlet and outlet' says"});
+  rename("inlet part");
+  expectRefused(loadedScene, {"loaded.toml:6: ", "'inlet part'", "named as the inlet, which must be planar",
+                              " mm2 from "});
+}
+
+TEST_F(WrongLumen, WhatIsTakenForWhatIsListed) {
+  TriSurface turned = good;
+  for (auto& region : turned.region)
+    if (region != SurfaceRegion::wall)
+      region = region == SurfaceRegion::inlet ? SurfaceRegion::outlet : SurfaceRegion::inlet;
+  writeNamedStl(folder / "lumen.stl", turned, 1e-3);
+  const std::string inlet =
+      fmt::format("  inlet   2.545 mm2, 1.8 mm wide around (0, 0, {:g}) mm: the solid 'inlet', by its name\n",
+                  1e3 * vesselLength);
+  EXPECT_NE(run({"check", scene("loaded", loadedScene)}).out.find(inlet), std::string::npos);
+  const ProcessEnd end = run({"run", scene("loaded", loadedScene), "-o", "out", "--flow", "analytic"});
+  ASSERT_EXIT_STATUS(end, 0);
+  EXPECT_NE(end.err.find(inlet), std::string::npos) << end.err;
+}
+
 TEST_F(WrongLumen, OneEndOnly) {
   TriSurface blind = good;
   for (Vec3& v : blind.vertices)

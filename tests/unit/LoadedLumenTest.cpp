@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -239,23 +240,228 @@ TEST_F(LoadedLumen, NamesInCapitalsDecideToo) {
   expectEnds(loadLumen(file, 1e-3), Vec3(0, 0, 2e-3), Vec3(0, 0, 0));
 }
 
-TEST_F(LoadedLumen, AWallOfStrutsOnlyIsRefused) {
-  writeNamedStl(file, tube(vesselRadius, 2e-3), 1e-3);
-  std::string text = readText(file);
-  for (auto at = text.find("wall"); at != std::string::npos; at = text.find("wall", at))
-    text.replace(at, 4, "stented_artery");
-  writeText(file, text);
-  EXPECT_SAYS(refusalOfFile(), "there is no wall in it");
+/// The text with all of its `from` replaced.
+std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
 }
 
-TEST_F(LoadedLumen, OneNameForBothEndsIsRefused) {
-  TriSurface named = tube(vesselRadius, 2e-3);
-  for (auto& r : named.region)
-    if (r == SurfaceRegion::outlet) r = SurfaceRegion::inlet;
-  writeNamedStl(file, named, 1e-3);
+class NamedLumen : public LoadedLumen {
+ protected:
+  /// Writes a tube with the ends and the wall under these names.
+  void writeNames(std::string_view inlet, std::string_view outlet, std::string_view wall) const {
+    writeNamedStl(file, stentedTube(vesselRadius, 2e-3, 0.1e-3), 1e-3);
+    std::string text = replacedAll(readText(file), "solid inlet", "solid I#");
+    text = replacedAll(replacedAll(text, "solid outlet", "solid O#"), "solid wall", "solid W#");
+    for (const auto& [mark, name] : {std::pair{"I#", inlet}, {"O#", outlet}, {"W#", wall}})
+      text = replacedAll(text, mark, name);
+    writeText(file, text);
+  }
+  /// Writes a tube in halves, the one with the inlet at z = 0 first.
+  void writeHalves(std::string_view low, std::string_view high) const {
+    TriSurface halves = tube(vesselRadius, 2e-3);
+    for (std::size_t t = 0; t < halves.triangles.size(); ++t)
+      halves.region[t] = halves.centre(t).z() < 1e-3 ? SurfaceRegion::wall : SurfaceRegion::strut;
+    writeNamedStl(file, halves, 1e-3);
+    std::string text = replacedAll(readText(file), "solid wall", fmt::format("solid {}", low));
+    writeText(file, replacedAll(text, "solid strut", fmt::format("solid {}", high)));
+  }
+  void expectBackwards(bool backwards) const {
+    const Vec3 low(0, 0, 0), high(0, 0, 2e-3);
+    const TriSurface lumen = loadLumen(file, 1e-3);
+    expectEnds(lumen, backwards ? high : low, backwards ? low : high);
+  }
+};
+
+TEST_F(NamedLumen, OtherNamesOfEndsAreKnown) {
+  for (const auto& [in, out] : {std::pair{"inlet", "outlet"},
+                                {"inflow", "outflow"},
+                                {"Inflow", "OUTFLOW_1"},
+                                {"in", "out"},
+                                {"vesselInlet", "vesselOutlet"},
+                                {"Inlet-Cap", "cap_out"}}) {
+    writeNames(out, in, "lumen");
+    expectBackwards(true);
+    writeNames(in, out, "lumen");
+    expectBackwards(false);
+    writeNames("first", in, "artery");  // one is enough
+    expectBackwards(true);
+  }
+}
+
+TEST_F(NamedLumen, PartsOfWordsAreNoNames) {
+  writeHalves("proximal", "stented segment");
+  const TriSurface lumen = loadLumen(file, 1e-3);
+  EXPECT_EQ(std::ranges::count(lumen.region, SurfaceRegion::strut), 0);
+  expectBackwards(false);
+  writeHalves("outletted", "inletted");
+  expectBackwards(false);
+}
+
+TEST_F(NamedLumen, ANameOfTwoThingsIsRefused) {
+  writeHalves("proximal", "in-stent segment");
   EXPECT_SAYS(refusalOfFile(),
-              "what is named inlet is 2 separate pieces, 1.8 mm wide around (0, 0, 0) mm and 1.8 mm around "
+              "the name of the solid 'in-stent segment' says that it is strut and wall at once; "
+              "it has 1664 triangles of ");
+  EXPECT_SAYS(refusalOfFile(), " mm2 from (-0.9, -0.9, 1) to (0.9, 0.9, 2) mm");
+  writeNames("inlet", "outlet", "STL of lumen with inlet and outlet caps, units mm");
+  EXPECT_SAYS(refusalOfFile(),
+              "the name of the solid 'STL of lumen with inlet and outlet caps,...' says that it "
+              "is inlet and outlet at once");
+}
+
+TEST_F(NamedLumen, AnEndThatIsNotPlanarIsRefusedByName) {
+  writeHalves("the inlet side", "distal inlet");
+  EXPECT_SAYS(refusalOfFile(), "the solids 'the inlet side' and 'distal inlet', named as the inlet");
+  writeHalves("vessel", "distal inlet");
+  EXPECT_SAYS(refusalOfFile(),
+              "the solid 'distal inlet', named as the inlet, which must be planar, has 1664 "
+              "triangles of ");
+  EXPECT_SAYS(refusalOfFile(), "up to 0.");
+  EXPECT_SAYS(refusalOfFile(), "Rename it, or give the end a solid of its own");
+}
+
+TEST_F(NamedLumen, AnEndInAStrutIsRefusedByName) {
+  writeHalves("vessel", "stent");
+  EXPECT_SAYS(refusalOfFile(),
+              "in the solid 'stent', named as struts, there is the end of the lumen 1.8 mm wide around "
               "(0, 0, 2) mm");
+}
+
+TEST_F(NamedLumen, AWallOfStrutsOnlyIsRefused) {
+  writeNames("inlet", "outlet", "stents");
+  EXPECT_SAYS(refusalOfFile(),
+              "there is no wall in it: beside the ends there is only the solids 'stents' and 'strut', named "
+              "as struts");
+}
+
+TEST_F(NamedLumen, OneNameForBothEndsIsRefused) {
+  writeNames("outlet1", "outlet2", "wall");
+  EXPECT_SAYS(refusalOfFile(),
+              "what is named outlet is 2 separate pieces: the solid 'outlet1', 1.8 mm wide around "
+              "(0, 0, 0) mm, and the solid 'outlet2', 1.8 mm wide around (0, 0, 2) mm; it must be "
+              "one end. One inlet and one outlet are supported");
+}
+
+TEST_F(NamedLumen, PartsAreListedWithWhatTheyCameFrom) {
+  writeNames("outflow", "INFLOW", "artery");
+  DescribedLumen lumen = loadDescribedLumen(file, 1e-3);
+  ASSERT_EQ(lumen.parts.size(), 4u);
+  EXPECT_EQ(lumen.parts[0],
+            "inlet   2.545 mm2, 1.8 mm wide around (0, 0, 2) mm: the solid 'INFLOW', by its name");
+  EXPECT_EQ(lumen.parts[1],
+            "outlet  2.545 mm2, 1.8 mm wide around (0, 0, 0) mm: the solid 'outflow', by its name");
+  EXPECT_SAYS(lumen.parts[2],
+              "wall    3072 triangles of 10.75 mm2 from (-0.9, -0.9, 0) to (0.9, 0.9, 2) mm: ");
+  EXPECT_SAYS(lumen.parts[2], "the solid 'artery'");
+  EXPECT_SAYS(lumen.parts[3], "strut   768 triangles of ");
+  EXPECT_SAYS(lumen.parts[3], "(0.9, 0.9, 1.05) mm: the solid 'strut'");
+  EXPECT_TRUE(lumen.remarks.empty());
+
+  lumen = (load(moved(tube(vesselRadius, 2e-3), motionTo(Vec3(-1, 0, 0), Vec3(0, 0, 0)))),
+           loadDescribedLumen(file, 1e-3));
+  ASSERT_EQ(lumen.parts.size(), 5u);
+  EXPECT_EQ(lumen.parts[0], "inlet   2.545 mm2, 1.8 mm wide around (-2, 0, 0) mm: a flat cap");
+  EXPECT_SAYS(lumen.parts[2], "mm: what is no end");
+  EXPECT_EQ(lumen.parts[3], "strut   none: no solid is named so");
+  EXPECT_EQ(lumen.parts[4], "no solid is named inlet or outlet: the inlet is the end with the lower x");
+
+  const SurfaceRegion wall[] = {SurfaceRegion::wall};
+  load(tube(vesselRadius, 2e-3), wall);
+  EXPECT_SAYS(loadDescribedLumen(file, 1e-3).parts[1], "around (0, 0, 2) mm: an open rim, closed");
+  writeHalves("a", "b");
+  EXPECT_SAYS(loadDescribedLumen(file, 1e-3).parts[0], "around (0, 0, 0) mm: a flat cap in the solid 'a'");
+}
+
+TEST_F(NamedLumen, StrutsThatLookLikeNoneAreRemarkedOn) {
+  TriSurface smooth = tube(vesselRadius, 2e-3);
+  for (std::size_t t = 0; t < smooth.triangles.size(); ++t)
+    if (std::abs(smooth.centre(t).z() - 1e-3) < 0.3e-3) smooth.region[t] = SurfaceRegion::strut;
+  writeNamedStl(file, smooth, 1e-3);
+  ASSERT_EQ(loadDescribedLumen(file, 1e-3).remarks.size(), 1u);
+  EXPECT_SAYS(loadDescribedLumen(file, 1e-3).remarks[0],
+              "the solid 'strut', named as struts, lies in the wall without an edge, ");
+  for (std::size_t t = 0; t < smooth.triangles.size(); ++t)
+    if (std::abs(smooth.centre(t).z() - 1e-3) < 0.6e-3) smooth.region[t] = SurfaceRegion::strut;
+  writeNamedStl(file, smooth, 1e-3);
+  EXPECT_SAYS(loadDescribedLumen(file, 1e-3).remarks.at(0), "makes 58.3 % of the lumen's side struts");
+}
+
+/// A tube in the shape of a T, of square ducts: three open ends.
+TriSurface tee(bool open) {
+  TriSurface s;
+  const auto square = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto first = static_cast<std::uint32_t>(s.vertices.size());
+    for (const Vec3& v : {a, b, c, d}) s.vertices.push_back(1e-3 * v);
+    s.triangles.push_back({first, first + 1, first + 2}),
+        s.triangles.push_back({first, first + 2, first + 3});
+  };
+  for (const auto& [x, z] :
+       {std::pair{-1.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}) {  // cubes, by a corner
+    const Vec3 o(x, 0, z), i(1, 0, 0), j(0, 1, 0), k(0, 0, 1);
+    square(o, o + i, o + i + k, o + k), square(o + j, o + j + k, o + j + i + k, o + j + i);
+    const bool middle = x == 0 && z == 0, arm = z > 0;
+    if (!middle && !arm) square(o + k, o + k + i, o + k + i + j, o + k + j);
+    if (!arm) square(o, o + j, o + j + i, o + i);
+    if (arm || (x < 0 && !open)) square(o, o + k, o + k + j, o + j);
+    if (arm || (x > 0 && !open)) square(o + i, o + i + j, o + i + j + k, o + i + k);
+    if (arm && !open) square(o + k, o + k + i, o + k + i + j, o + k + j);
+  }
+  s.region.resize(s.triangles.size());
+  return s;
+}
+
+TEST_F(LoadedLumen, OfABifurcationItIsSaidThatOneInletAndOneOutletAreSupported) {
+  const std::string open = refusal(tee(true));
+  EXPECT_SAYS(open,
+              "it needs two planar ends, one inlet and one outlet, but 3 were found (3 of them open): ");
+  EXPECT_SAYS(open, "1.128 mm wide around (0.5, 0.5, 2) mm");
+  EXPECT_SAYS(open, "Bifurcations are not supported: take one branch");
+  EXPECT_EQ(open.find("straight"), std::string::npos);
+  EXPECT_SAYS(refusal(tee(false)), "were found (0 of them open): ");
+  EXPECT_SAYS(refusal(tee(false)), "Bifurcations are not supported");
+  TriSurface uneven = tee(true);  // one rim is not planar
+  for (Vec3& v : uneven.vertices)
+    if ((v - Vec3(2e-3, 0, 0)).norm() < 1e-9) v.x() += 0.3e-3;
+  EXPECT_SAYS(refusal(uneven), "Bifurcations are not supported");
+}
+
+TEST_F(LoadedLumen, AThirdFaceBesideNamedEndsIsRemarkedOn) {
+  TriSurface side = tee(false);
+  for (std::size_t t = 0; t < side.triangles.size(); ++t) {
+    const double x = side.centre(t).x();
+    if (x < -0.99e-3) side.region[t] = SurfaceRegion::inlet;
+    if (x > 1.99e-3) side.region[t] = SurfaceRegion::outlet;
+  }
+  writeNamedStl(file, side, 1e-3);
+  const DescribedLumen lumen = loadDescribedLumen(file, 1e-3);
+  ASSERT_EQ(lumen.remarks.size(), 1u);
+  EXPECT_SAYS(lumen.remarks[0], "beside the ends that are named, ");
+  EXPECT_SAYS(lumen.remarks[0], "1.128 mm wide around (0.5, 0.5, 2) mm, in the solid 'wall'");
+}
+
+TEST_F(LoadedLumen, PiecesAndCrowdedEdgesAreSaidWithPlaceAndSize) {
+  TriSurface two = tube(vesselRadius, 2e-3);
+  const auto count = static_cast<std::uint32_t>(two.vertices.size());
+  for (const Vec3& v : {Vec3(3e-3, 0, 0), Vec3(3.5e-3, 0, 0), Vec3(3e-3, 0.5e-3, 0.1e-3)})
+    two.vertices.push_back(v);
+  two.triangles.push_back({count, count + 1, count + 2});
+  two.region.push_back(SurfaceRegion::strut);
+  const std::string pieces = refusal(two);
+  EXPECT_SAYS(pieces,
+              "it consists of 2 separate pieces; a lumen is one. They are 3328 triangles of 16.4 mm2 from "
+              "(-0.9, -0.9, 0) to (0.9, 0.9, 2) mm; 1 triangle of 0.1275 mm2 from (3, 0, 0) to (3.5, 0.5, "
+              "0.1) mm. Remove those that are not the lumen's wall");
+  writeNamedStl(file, two, 1e-3);
+  EXPECT_SAYS(refusalOfFile(), "(3.5, 0.5, 0.1) mm, of the solid 'strut'");
+
+  TriSurface fin = tube(vesselRadius, 2e-3);
+  fin.vertices.emplace_back(3e-3, 0, 0);
+  fin.triangles.push_back({0, 1, count});
+  fin.region.push_back(SurfaceRegion::wall);
+  EXPECT_SAYS(refusal(fin),
+              "an edge has more than two triangles: one of 0.0442 mm at (0.9, 0.022, 0) mm. Parts of it");
 }
 
 TEST_F(LoadedLumen, WhatEnclosesNothingIsFlat) {
