@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ArteryWidth.h"
 #include "FlowBackendNames.h"
 #include "IgnoringVisitor.h"
 #include "LengthUnits.h"
@@ -150,6 +151,9 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
         fmt::format("in {} the inlet of the surface is {:.4g} mm wide, but 'lumenDiameter' is {:.4g} mm",
                     vessel.lumenSurfaceUnit, units.fromSi(diameter, "mm"),
                     units.fromSi(vessel.lumenDiameter, "mm")));
+  else if (std::string width = remarkOnWidth(scene, diameter);
+           !width.empty() && !gives(document, "lumenDiameter"))
+    scene.lumenRemarks.push_back(std::move(width));
   const bool straight = frameAlongZ(lumen).has_value();
   const double length = distanceOfEnds(lumen);
   // Along a bent lumen the distance between its ends says little

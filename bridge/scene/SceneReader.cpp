@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "ArteryWidth.h"
 #include "FileContent.h"
 #include "LumenSurfaceChecks.h"
 #include "NearestName.h"
@@ -155,7 +156,12 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   resolve(scene, document);
   checkScene(scene, document, units_, loaded, findings);
 
-  if (findings.diagnostics.empty()) return scene;
+  if (findings.diagnostics.empty()) {
+    if (scene.vessel.lumenSurface.empty())
+      if (std::string width = remarkOnWidth(scene, scene.vessel.lumenDiameter); !width.empty())
+        scene.lumenRemarks.push_back(std::move(width));
+    return scene;
+  }
   // In the order of the file; what comes from the command line last.
   std::stable_sort(findings.diagnostics.begin(), findings.diagnostics.end(),
                    [&document](const Diagnostic& a, const Diagnostic& b) {

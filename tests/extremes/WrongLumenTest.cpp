@@ -148,6 +148,22 @@ TEST_F(WrongLumen, WhatIsTakenForWhatIsListed) {
   EXPECT_NE(end.err.find(inlet), std::string::npos) << end.err;
 }
 
+TEST_F(WrongLumen, AWidthOfAnotherUnit) {
+  writeStl(folder / "lumen.stl", good, 1e-2);
+  const std::string centimetres = with(loadedScene, "\"mm\"", "\"cm\"");
+  const ProcessEnd right = run({"check", scene("loaded", centimetres)});
+  EXPECT_EXIT_STATUS(right, 0);
+  EXPECT_NE(right.out.find("lumen 1.8 mm"), std::string::npos) << right.out;
+  EXPECT_EQ(right.out.find("coronary"), std::string::npos) << right.out;
+
+  const ProcessEnd wrong = run({"run", scene("loaded", loadedScene), "-o", "out", "--flow", "analytic"});
+  ASSERT_EXIT_STATUS(wrong, 0);
+  EXPECT_NE(wrong.err.find("is 0.18 mm wide; coronary arteries are 0.8 to 8 mm wide"), std::string::npos)
+      << wrong.err;
+  const std::string recorded = summary("out")["remarks"][0];
+  EXPECT_TRUE(recorded.ends_with("lumenSurfaceUnit, mm, right? In cm it would be 1.8 mm.")) << recorded;
+}
+
 TEST_F(WrongLumen, OneEndOnly) {
   TriSurface blind = good;
   for (Vec3& v : blind.vertices)

@@ -14,7 +14,7 @@ void StentParameters::describe(ParameterVisitor& p) {
                 .source = "none",
                 .description = "STL of the struts (name ends in .stl), or CSV table of obstacle agents "
                                "(x, y, z, radius in um), instead of a design"});
-  p.choice(fileUnit, {"m", "mm", "um"},
+  p.choice(fileUnit, {"m", "cm", "mm", "um"},
            {.key = "fileUnit", .source = "none", .description = "length unit of file where it is an STL"});
   p.quantity(length, {.key = "length",
                       .unit = "mm",

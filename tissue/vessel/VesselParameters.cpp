@@ -10,7 +10,7 @@ void VesselParameters::describe(ParameterVisitor& p) {
           .description =
               "STL of the lumen to use instead of a cylinder; tissue is built outwards from it; length "
               "and lumenDiameter are then the surface's own unless given"});
-  p.choice(lumenSurfaceUnit, {"m", "mm", "um"},
+  p.choice(lumenSurfaceUnit, {"m", "cm", "mm", "um"},
            {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
   const bool cylinder = lumenSurface.empty();
   p.quantity(length, {.key = "length",
