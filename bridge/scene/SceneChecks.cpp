@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "ArteryWidth.h"
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
 #include "Limit.h"
@@ -281,8 +282,10 @@ void checkResolution(const Scene& scene, const SceneDocument& document, const Un
       !allReliable(findings, {"foam.cellSize", "foam.minimumCellsAcross", "foam.maximumCells"}))
     return;
   if (backend == flowBackendNames::lbm && !allReliable(findings, {"lbm.dx", "lbm.maximumNodes"})) return;
-  if (auto problem = resolutionProblem(scene, units, loaded))
-    blame({problem->key}, std::move(problem->message), document, findings);
+  auto problem = resolutionProblem(scene, units, loaded);
+  if (!problem) return;
+  const std::string width = remarkOnWidth(scene, loaded ? loaded->diameter : scene.vessel.lumenDiameter);
+  blame({problem->key}, problem->message + (width.empty() ? "" : "; " + width), document, findings);
 }
 
 }  // namespace

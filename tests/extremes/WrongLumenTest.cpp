@@ -203,7 +203,8 @@ TEST_F(WrongLumen, LongerThanAnyVessel) {
 TEST_F(WrongLumen, TooNarrowForItsCells) {
   write(tube(0.1e-3, 1e-3));
   const std::string said = "a lumen of 0.2 mm has 3.3 cells across, at least 8 are needed";
-  expectRefused(loadedScene, {"'cellSize' in [foam] is 60 um", said});
+  expectRefused(loadedScene, {"'cellSize' in [foam] is 60 um", said,
+                              "lumenSurfaceUnit, mm, right? In cm it would be 2 mm."});
   const ProcessEnd checked = run({"check", scene("loaded", loadedScene)});
   EXPECT_EXIT_STATUS(checked, 2);
   EXPECT_NE(checked.err.find(said), std::string::npos) << checked.err;
