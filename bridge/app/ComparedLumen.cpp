@@ -9,6 +9,7 @@
 #include "LumenFile.h"
 #include "LumenFrame.h"
 #include "LumenShape.h"
+#include "PrintableOutput.h"
 #include "Progress.h"
 #include "Run.h"
 #include "SceneStent.h"
@@ -43,7 +44,7 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
   const auto results = ResultsFolder::fresh(folder);
   // Of the whole scene, so that this folder can be compared again with other settings
   atomicWrite(results.scene(), writeScene(scene, Units()));
-  Progress progress(std::cerr, Progress::onTerminal(), deployment.scene.duration);
+  Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), deployment.scene.duration);
   Run run(deployment, results, progress, {.threads = threads, .stopRequested = stopRequested});
   run.go();
   progress.finish();

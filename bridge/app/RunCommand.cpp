@@ -16,6 +16,7 @@
 #include "FoamPath.h"
 #include "OptionChecks.h"
 #include "Plan.h"
+#include "PrintableOutput.h"
 #include "Progress.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -116,7 +117,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
     for (const std::string& remark : scene.lumenRemarks) std::cerr << remark << '\n';
   for (const std::string& known : flowForecast(scene, arguments.ranks))
     std::cerr << fmt::format("The flow, once it is due, {}\n", known);
-  Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
+  Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
   const RunOptions options{
       .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
   Run run(scene, folder, progress, options);

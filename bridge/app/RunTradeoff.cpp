@@ -10,6 +10,7 @@
 
 #include "AtomicFile.h"
 #include "FileContent.h"
+#include "PrintableOutput.h"
 #include "Progress.h"
 #include "Relaxation.h"
 #include "ResultsFolder.h"
@@ -70,7 +71,7 @@ Outcome outcomeIn(const fs::path& folder) {
 Outcome ranIn(const fs::path& folder, const Scene& scene, const std::string& text,
               const TradeoffOptions& options, bool goesOn) {
   const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
-  Progress progress(std::cerr, Progress::onTerminal(), scene.scene.duration);
+  Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
   Run run(scene, results, progress,
           {.threads = options.threads, .ranks = options.ranks, .stopRequested = options.stopRequested});
   if (goesOn) run.resume();

@@ -14,6 +14,7 @@
 #include "CompareCommand.h"
 #include "ExitStatus.h"
 #include "NearestName.h"
+#include "PrintableOutput.h"
 #include "RunCommand.h"
 #include "RuntimeSettings.h"
 #include "SchemaCommand.h"
@@ -41,6 +42,7 @@ std::string commandProblem(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace restenosis;
   applyRuntimeSettings(argv);
+  const PrintableOutput printableOutput;
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the system allows fails to be written, and is named
   vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words
 

@@ -11,6 +11,7 @@
 #include "FlowBackendNames.h"
 #include "FlowForecast.h"
 #include "LumenGrid.h"
+#include "Printable.h"
 #include "Run.h"
 #include "SceneChecks.h"
 #include "SceneStent.h"
@@ -208,14 +209,15 @@ std::string surfacesText(const Scene& scene) {
 
 std::string planText(const Scene& scene) {
   const std::uint32_t steps = stepCount(scene.scene);
-  std::string text = fmt::format("{}: {}\n", scene.file.string(), scene.scene.title);
+  std::string text = fmt::format("{}: {}\n", printable(scene.file.string()), printable(scene.scene.title));
   text += fmt::format("vessel {:g} mm long, lumen {:g} mm; {:g} days in {} steps of {:g} h; fidelity {}\n",
                       scene.vessel.length * 1e3, scene.vessel.lumenDiameter * 1e3, scene.scene.duration / day,
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
   text += surfacesText(scene);
   for (const std::string& remark : scene.lumenRemarks) text += remark + "\n";
   for (const PlannedPart& part : planParts(scene))
-    text += fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, part.explanation);
+    text +=
+        fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, printable(part.explanation));
   return text + flowText(scene) + tissueText(scene, steps);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Printable.h"
 #include "SecondsPerDay.h"
 
 namespace restenosis {
@@ -66,14 +67,15 @@ void Progress::show(const std::string& line, bool force) {
   if (!force && shown_ && now - *shown_ < interval) return;
   shown_ = now;
   if (terminal_) {
-    line_ = line.substr(0, std::max<std::size_t>(terminalWidth(), 2) - 1);
+    line_ = printable(line).substr(0, std::max<std::size_t>(terminalWidth(), 2) - 1);
     out_ << '\r' << line_ << "\x1b[K" << std::flush;
   } else {
-    out_ << line << std::endl;
+    out_ << printable(line) << std::endl;
   }
 }
 
-void Progress::message(const std::string& text) {
+void Progress::message(const std::string& message) {
+  const std::string text = printable(message, true);
   if (line_.empty()) {
     out_ << text << std::endl;
   } else {

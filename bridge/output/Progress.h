@@ -19,6 +19,7 @@ struct ProgressState {
 
 /// Tells a user how far a run is: day, agents, counts by state, time left. On a terminal one line is kept up
 /// to date; elsewhere (a file, a pipe) plain lines are written, not more often than every `plainInterval`.
+/// What it is given to say is made printable: only its own commands reach the terminal.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
@@ -35,7 +36,7 @@ class Progress {
   /// second.
   void step(const ProgressState& state, bool recorded);
   /// Writes a line of its own, leaving the progress line intact.
-  void message(const std::string& text);
+  void message(const std::string& message);
   /// Ends the progress line; what is written next starts on a new one.
   void finish();
 

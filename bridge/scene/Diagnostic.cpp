@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "Printable.h"
+
 namespace restenosis {
 namespace {
 
@@ -17,8 +19,9 @@ std::string oneLineEach(const std::vector<Diagnostic>& diagnostics) {
 }  // namespace
 
 std::string toString(const Diagnostic& diagnostic) {
-  if (diagnostic.line == 0) return fmt::format("{}: {}", diagnostic.file, diagnostic.message);
-  return fmt::format("{}:{}: {}", diagnostic.file, diagnostic.line, diagnostic.message);
+  const std::string file = printable(diagnostic.file), message = printable(diagnostic.message);
+  if (diagnostic.line == 0) return fmt::format("{}: {}", file, message);
+  return fmt::format("{}:{}: {}", file, diagnostic.line, message);
 }
 
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)

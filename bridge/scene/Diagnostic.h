@@ -22,7 +22,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// "scenes/x.toml:12: message", or "--set vessel.length: message".
+/// "scenes/x.toml:12: message", or "--set vessel.length: message", in one line and printable.
 std::string toString(const Diagnostic& diagnostic);
 
 /// A scene that cannot be used; carries everything found wrong, in the order of the file. `what()` has one

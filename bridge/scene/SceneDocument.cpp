@@ -17,9 +17,12 @@ constexpr void expectedByParser(bool fulfilled) {
 
 // Its assertions would abort the program
 #define TOML_ASSERT(expr) restenosis::expectedByParser(static_cast<bool>(expr))
+// A scene has no value in a value; the parser's own limit leaves room for so many times as many names
+#define TOML_MAX_NESTED_VALUES 16
 #include <toml++/toml.h>
 
 #include "NearestName.h"
+#include "TomlDepth.h"
 #include "Trimmed.h"
 
 namespace restenosis {
@@ -51,7 +54,9 @@ decltype(GivenValue::value) valueOf(const toml::node& node) {
 /// A value as typed after `--set key=`: TOML if it is one value of TOML, else the bare text.
 decltype(GivenValue::value) typedValue(std::string_view text) {
   try {
-    const toml::table table = toml::parse(fmt::format("value = {}", text));
+    const std::string assignment = fmt::format("value = {}", text);
+    if (lineOfDeepName(assignment) != 0) return std::string(text);
+    const toml::table table = toml::parse(assignment);
     if (table.size() == 1) return valueOf(table.begin()->second);
   } catch (const toml::parse_error&) {
     // Not TOML, then: a bare word or quantity.
@@ -121,6 +126,15 @@ std::string explained(const toml::parse_error& error) {
 SceneDocument::SceneDocument(std::string_view toml, const std::string& file,
                              std::vector<Diagnostic>& diagnostics)
     : file_(file) {
+  if (const int line = lineOfDeepName(toml); line != 0) {
+    broken_ = true;
+    diagnostics.push_back(
+        {file, line, 1,
+         fmt::format("a name of more than {} parts with points between them; keys are named "
+                     "by themselves, below a header such as [vessel]",
+                     mostNameParts)});
+    return;
+  }
   toml::table root;
   try {
     root = toml::parse(toml);

@@ -93,6 +93,9 @@ void resolve(Scene& scene, const SceneDocument& document) {
   }
 }
 
+/// Fifty times a scene that gives every key, with a remark to each [bytes], assumed.
+constexpr std::uintmax_t largestSceneFile = 1 << 20;
+
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
   throw SceneError({{file.string(), 0, 0, std::move(message)}});
 }
@@ -119,12 +122,13 @@ Scene SceneReader::readFile(const std::filesystem::path& file,
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) refuse(file, "no such scene file" + similarFile(file));
-  if (std::filesystem::is_directory(status)) refuse(file, "is a folder; a scene file (*.toml) is expected");
+  if (const std::string obstacle = fileObstacle(file, largestSceneFile); !obstacle.empty())
+    refuse(file, obstacle + "; a scene file (*.toml) is expected");
   std::string toml;
   try {
-    toml = contentOf(file);
-  } catch (const std::runtime_error&) {
-    refuse(file, "cannot be read");
+    toml = contentOf(file, largestSceneFile);
+  } catch (const std::runtime_error& unreadable) {
+    refuse(file, unreadable.what() + file.string().size() + 1);  // begins with the file's name
   }
   return readText(toml, file, overrides);
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
+#include "FileContent.h"
 #include "NameList.h"
 #include "NearestName.h"
 
@@ -196,14 +196,9 @@ void SectionReader::file(std::string& value, const ParameterInfo& info) {
     return;
   }
   const std::filesystem::path path = std::filesystem::absolute(folder_ / *text).lexically_normal();
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
   value = path.string();  // also of a file that is missing: what depends on it is not missing as well
-  if (std::filesystem::is_regular_file(status)) return;
-  const bool folder = std::filesystem::is_directory(status);
-  complain(*given, info.key,
-           fmt::format("'{}' in [{}]: {} {}", info.key, name_, path.string(),
-                       folder ? "is a folder, not a file" : "does not exist or cannot be reached"));
+  if (const std::string obstacle = fileObstacle(path); !obstacle.empty())
+    complain(*given, info.key, fmt::format("'{}' in [{}]: {} {}", info.key, name_, path.string(), obstacle));
 }
 
 void SectionReader::finish(const KeysOfSections& all) {

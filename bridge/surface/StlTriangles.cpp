@@ -21,6 +21,9 @@ constexpr std::size_t headerSize = 84;        ///< 80 bytes of anything, and the
 constexpr std::size_t bytesOfATriangle = 50;  ///< normal, three vertices, and two bytes of anything
 constexpr std::size_t bytesOfANormal = 12;
 
+/// Ten million triangles of a binary file [bytes], assumed: far more than are meshed here.
+constexpr std::uintmax_t largestStlFile = 512 << 20;
+
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what) {
   throw std::runtime_error(fmt::format("{} {}", file.string(), what));
 }
@@ -121,8 +124,7 @@ void takeText(std::string_view& rest, std::size_t at, const std::filesystem::pat
 }  // namespace
 
 StlTriangles readStlTriangles(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
-  const std::string content = contentOf(file);
+  const std::string content = contentOf(file, largestStlFile);
   if (content.empty()) refuse(file, "is empty: it must be an STL file");
   StlTriangles result;
   for (std::string_view rest = content; !rest.empty();) {

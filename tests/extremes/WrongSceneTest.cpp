@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -115,6 +117,77 @@ TEST_F(WrongScene, AFileThatIsNotThereIsNamedWithTheNearestOne) {
   expectRefused({"run", "tinny.toml", "-o", "out"},
                 {"tinny.toml: no such scene file", "did you mean tiny.toml?"});
   expectRefused({"run", ".", "-o", "out"}, {"is a folder"});
+}
+
+TEST_F(WrongScene, WhatIsNoFileIsNotRead) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string lumen =
+      "[scene]\nduration = \"1 h\"\nstep = \"1 h\"\n[vessel]\n"
+      "lumenSurface = \"FILE\"\n[flow]\n";
+  for (const std::string file : {"/dev/zero", "pipe"}) {
+    const std::string kind = file == "pipe" ? " is a pipe, not a file" : " is a device, not a file";
+    const std::string struts =
+        scene("struts", with(tinyScene, "design = \"ring\"", "file = \"" + file + "\""));
+    const std::string agents =
+        scene("agents", with(tinyScene, "cellRadius = \"18 um\"", "agents = \"" + file + "\""));
+    const std::string surface = scene("surface", with(lumen, "FILE", file));
+    for (const char* command : {"run", "check"}) {
+      expectRefused({command, file}, {file + ":" + kind + "; a scene file (*.toml) is expected"});
+      expectRefused({command, struts}, {"struts.toml:15: 'file' in [stent]", file + kind});
+      expectRefused({command, agents}, {"agents.toml:12: 'agents' in [vessel]", file + kind});
+      expectRefused({command, surface}, {"surface.toml:5: 'lumenSurface' in [vessel]", file + kind});
+    }
+  }
+}
+
+TEST_F(WrongScene, AFileTooLargeToBeOneIsNotRead) {
+  const std::string large = scene("large", tinyScene);
+  std::filesystem::resize_file(folder / large, (1 << 20) + 1);
+  expectRefused({"check", large}, {"large.toml: is larger than 1 MiB, the most that is read"});
+  writeText(folder / "agents.csv", "x,y,z,radius\n");
+  std::filesystem::resize_file(folder / "agents.csv", std::uintmax_t{1} << 40);
+  const std::string agents =
+      scene("agents", with(tinyScene, "cellRadius = \"18 um\"", "agents = \"agents.csv\""));
+  expectRefused({"check", agents},
+                {"agents.toml:12: 'agents' in [vessel]", "agents.csv is larger than 2048 MiB"});
+}
+
+TEST_F(WrongScene, NamesNestedDeeplyAreRefusedWithTheirLine) {
+  std::string deep = "a";
+  for (int k = 0; k < 175'000; ++k) deep += ".a";
+  for (const std::string& text :
+       {"\n[" + deep + "]\n", "\n" + deep + " = 1\n", "\na = { " + deep + " = 1 }\n"})
+    expectRefused({"check", scene("deep", text)}, {"deep.toml:2: a name of more than 16 parts"});
+}
+
+TEST_F(WrongScene, NothingOfASceneCommandsTheTerminal) {
+  const std::string commands = "\x1b\x9b\x07\r";
+  const auto expectPlain = [&](const ProcessEnd& end, std::initializer_list<std::string_view> shown) {
+    const std::string text = end.out + end.err;
+    EXPECT_EQ(text.find_first_of(commands), std::string::npos) << text;
+    EXPECT_EQ(text.find("\u202e"), std::string::npos) << text;
+    for (const auto part : shown) EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  };
+  const std::string title =
+      scene("title", with(tinyScene, "\"Tiny\"", R"("T\u001B[2Jx\u009By\u202Ez\r\ndone")"));
+  ProcessEnd end = run({"check", title});
+  EXPECT_EXIT_STATUS(end, 0);
+  expectPlain(end, {R"(T\x1b[2Jx\u009by\u202ez\x0d\ndone)"});
+  end = run({"check", scene("key", with(tinyScene, "seed", R"("s\u001B[2Jd\u202E")"))});
+  EXPECT_EXIT_STATUS(end, 2);
+  expectPlain(end, {R"(unknown key 's\x1b[2Jd\u202e')"});
+  end = run({"check", "none\x1b[2J\xff\n.toml"});
+  EXPECT_EXIT_STATUS(end, 2);
+  expectPlain(end, {R"(none\x1b[2J\xff\n.toml: no such scene file)"});
+  end = run({"check", title, "--\x1b[2J"});
+  EXPECT_EXIT_STATUS(end, 2);
+  expectPlain(end, {R"(--\x1b[2J)"});
+  writeText(folder / "lumen.stl", "solid a\x1b[2J\nfacet \x1b\n");
+  end = run({"check", scene("lumen",
+                            "[scene]\nduration = \"1 h\"\nstep = \"1 h\"\n[vessel]\n"
+                            "lumenSurface = \"lumen.stl\"\n[flow]\n")});
+  EXPECT_EXIT_STATUS(end, 2);
+  expectPlain(end, {});
 }
 
 TEST_F(WrongScene, AnOverrideIsNamedAsTyped) {

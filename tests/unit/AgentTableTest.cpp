@@ -81,7 +81,7 @@ TEST_F(AgentTableTest, ShowsNoMoreOfACellThanFitsALine) {
        {longText + "\n", "x,y,z,radius\n1,2,3," + longText + "\n",
         "x,y,z,radius,kind\n1,2,3,15," + longText + "\n", longText + "," + longText + "\n"})
     EXPECT_LT(errorOf(text).size(), file.string().size() + 200);
-  EXPECT_NE(errorOf("x,y,z,\x1b[31mred\n").find("unknown column '?[31mred'"), std::string::npos);
+  EXPECT_NE(errorOf("x,y,z,\x1b[31mred\n").find("unknown column '\\x1b[31mred'"), std::string::npos);
 }
 
 TEST_F(AgentTableTest, SaysThatCommasSeparate) {

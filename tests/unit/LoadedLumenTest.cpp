@@ -512,7 +512,7 @@ TEST_F(LoadedLumen, WhatLiesTooFarFromTheOriginIsRefused) {
 }
 
 TEST_F(LoadedLumen, FilesThatAreNoSurfacesAreNamed) {
-  EXPECT_SAYS(refusalOfFile(), "is not a file");
+  EXPECT_SAYS(refusalOfFile(), "cannot be read: No such file or directory");
   writeText(file, "solid nothing\nendsolid nothing\n");
   EXPECT_SAYS(refusalOfFile(), "holds no triangles");
   TriSurface broken = tube(vesselRadius, 2e-3);

@@ -130,8 +130,10 @@ TEST(StlText, TheFirstWrongLineIsNamed) {
             "x.stl:8: expected 'endfacet', found 'endsolid the inlet'");
   EXPECT_EQ(refusalOfStlText(replaced(twoSolids, "endsolid the inlet\n", "")),
             "x.stl:10: expected 'facet' or 'endsolid', found 'solid'");
+  std::string fortyTimes;
+  for (int k = 0; k < 40; ++k) fortyTimes += "\\x01";
   EXPECT_EQ(refusalOfStlText(std::string(twoSolids) + std::string(50, '\x01')),
-            "x.stl:20: expected 'solid', found '????????????????????????????????????????...'");
+            "x.stl:20: expected 'solid', found '" + fortyTimes + "...'");
 }
 
 TEST(StlText, ACutIsNamedWithItsLine) {
