@@ -21,6 +21,7 @@
 #include "FlowBackends.h"
 #include "FoamPath.h"
 #include "FoamRequirements.h"
+#include "FoamTemplate.h"
 #include "OptionChecks.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -97,6 +98,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   // Said before a wall is packed and deployed for it
   if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
     throw FlowFailed(missing, {});
+  if (const std::string missing = missingFoamTemplate(); !missing.empty()) throw FlowFailed(missing, {});
   createOutputFolder(folder);
   removeFormerComparison(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();

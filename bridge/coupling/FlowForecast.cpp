@@ -8,6 +8,7 @@
 #include "FlowBackendNames.h"
 #include "FlowResolution.h"
 #include "FoamRequirements.h"
+#include "FoamTemplate.h"
 #include "SecondsPerDay.h"
 #include "Units.h"
 #include "World.h"
@@ -55,6 +56,8 @@ std::vector<std::string> flowForecast(const Scene& scene, int ranks) {
     known.push_back(fmt::format("will be refused: {}", problem->message));
   if (scene.flow->backend == flowBackendNames::foam) {
     if (const std::string missing = missingFoamProgram(ranks); !missing.empty())
+      known.push_back(fmt::format("will fail: {}", missing));
+    if (const std::string missing = missingFoamTemplate(); !missing.empty())
       known.push_back(fmt::format("will fail: {}", missing));
   }
   if (std::string turbulent = turbulenceForecast(scene); !turbulent.empty())

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "FlowForecast.h"
+#include "TemporaryFolder.h"
 
 namespace restenosis {
 namespace {
@@ -40,6 +41,26 @@ TEST(FlowForecast, SaysWhatWillBeRefused) {
   const auto known = flowForecast(scene, 1);
   ASSERT_EQ(known.size(), 1u);
   EXPECT_TRUE(known[0].starts_with("will be refused: 'dx' in [lbm]")) << known[0];
+}
+
+TEST(FlowForecast, SaysThatTheCaseTemplateIsMissing) {
+  Scene scene = sceneWithFlow(0.133);
+  scene.flow->backend = "foam";
+  const std::size_t others = flowForecast(scene, 1).size();  // where OpenFOAM is missing
+  const TemporaryFolder folder;
+  setenv("RESTENOSIS_FOAM_CASE", folder.path().c_str(), 1);
+  const auto whole = flowForecast(scene, 1);
+  std::filesystem::copy(std::filesystem::path(RESTENOSIS_SOURCE_DIR) / "foamCase", folder.path(),
+                        std::filesystem::copy_options::recursive);
+  std::filesystem::remove_all(folder / "0.orig");
+  const auto part = flowForecast(scene, 1);
+  unsetenv("RESTENOSIS_FOAM_CASE");
+  ASSERT_EQ(whole.size(), others + 1);
+  EXPECT_EQ(whole.back(),
+            "will fail: there is no whole OpenFOAM case template in " + folder.path().string() +
+                " (lacks system/lumenParameters); RESTENOSIS_FOAM_CASE names the folder of another");
+  ASSERT_EQ(part.size(), others + 1);
+  EXPECT_NE(part.back().find("(lacks 0.orig)"), std::string::npos) << part.back();
 }
 
 TEST(FlowForecast, TheReynoldsNumberIsTheSameByEitherDrive) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -14,6 +15,25 @@ namespace fs = std::filesystem;
 namespace {
 /// The file by which a folder is known as a case of this template.
 const fs::path mark = "system/lumenParameters";
+
+/// What a case is copied from.
+constexpr std::array parts = {"0.orig",
+                              "system",
+                              "constant/transportProperties",
+                              "constant/turbulenceProperties",
+                              "Allrun",
+                              "Allclean",
+                              "makeExampleLumen",
+                              "README.md"};
+
+/// What a folder lacks of a template; empty where it is one.
+std::string missingPart(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / mark, error)) return mark.string();
+  const auto found =
+      std::ranges::find_if(parts, [&](auto part) { return !fs::exists(folder / part, error); });
+  return found == parts.end() ? "" : *found;
+}
 }  // namespace
 
 fs::path foamTemplate() {
@@ -28,10 +48,22 @@ fs::path foamTemplate() {
   }
   std::string tried;
   for (const auto& folder : candidates) {
-    if (fs::is_regular_file(folder / mark)) return folder;
-    tried += fmt::format(" {}", folder.string());
+    const std::string missing = missingPart(folder);
+    if (missing.empty()) return folder;
+    tried += fmt::format("{} {} (lacks {})", tried.empty() ? "" : ",", folder.string(), missing);
   }
-  throw std::runtime_error(fmt::format("no OpenFOAM case template (with {}) in:{}", mark.string(), tried));
+  throw std::runtime_error(fmt::format(
+      "there is no whole OpenFOAM case template in{}; RESTENOSIS_FOAM_CASE names the folder of another",
+      tried));
+}
+
+std::string missingFoamTemplate() {
+  try {
+    foamTemplate();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
 }
 
 void copyFoamTemplate(const fs::path& from, const fs::path& to) {
@@ -46,14 +78,6 @@ void copyFoamTemplate(const fs::path& from, const fs::path& to) {
     fs::rename(to, partial);
     fs::remove_all(partial);
   }
-  static constexpr std::array parts = {"0.orig",
-                                       "system",
-                                       "constant/transportProperties",
-                                       "constant/turbulenceProperties",
-                                       "Allrun",
-                                       "Allclean",
-                                       "makeExampleLumen",
-                                       "README.md"};
   fs::create_directories(partial / "constant/triSurface");
   for (const char* part : parts)
     fs::copy(from / part, partial / part, fs::copy_options::recursive | fs::copy_options::overwrite_existing);

@@ -1,13 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace restenosis {
 
 /// The folder of the OpenFOAM case template: $RESTENOSIS_FOAM_CASE where set, else
 /// share/restenosisFoam/foamCase beside the installed program, else foamCase in the source tree the program
-/// was built from. Throws std::runtime_error, naming the folders tried, where none holds a template.
+/// was built from. Throws std::runtime_error, naming the folders tried and what they lack, where none holds a
+/// whole template.
 std::filesystem::path foamTemplate();
+
+/// What foamTemplate would throw, as the end of a sentence; empty where there is a template.
+std::string missingFoamTemplate();
 
 /// Copies the template into an empty or new folder: 0.orig, constant, system and the scripts, nothing that a
 /// run by hand has left there. A folder that holds an earlier case is emptied first. It is filled as
