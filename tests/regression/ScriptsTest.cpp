@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "Process.h"
+#include "TinyScene.h"
 
 namespace restenosis {
 namespace {
@@ -37,6 +38,12 @@ class Scripts : public ::testing::Test {
     const ProcessEnd end = Process(arguments, at, {{"PATH", path}}).wait(std::chrono::minutes(1));
     EXPECT_EQ(end.status, 0) << toString(end);
     return end.out;
+  }
+  /// Makes a file among the results.
+  void result(const std::string& name) const {
+    const fs::path file = checkout / "results" / name;
+    fs::create_directories(file.parent_path());
+    writeText(file, "made by a test\n");
   }
   /// How Allrun starts the program.
   std::string run(const std::vector<std::string>& arguments, const fs::path& at) const {
@@ -89,15 +96,102 @@ TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {
 }
 
 TEST_F(Scripts, AllcleanGoesBackToTheCheckout) {
-  fs::create_directories(checkout / "results/quick");
+  fs::create_directories(checkout / "scenes");
+  writeText(checkout / "scenes/quick.toml", "[scene]\n");
+  for (const char* file : {"quick/.restenosisFoam", "quick/summary.json", "quick/previous/scene.toml",
+                           "quick/scene.toml.partial", "quick-compare/compare.json", "quick-tradeoff/runs/a"})
+    result(file);
   fs::create_directories(checkout / "foamCase/constant/triSurface");
   fs::create_directories(checkout / "foamCase/0");
-  writeText(checkout / "foamCase/constant/triSurface/lumen.stl", "solid wall\n");
-  start("Allclean", {}, elsewhere);
+  const ProcessEnd example =
+      Process({(checkout / "foamCase/makeExampleLumen").string()}, elsewhere).wait(std::chrono::minutes(1));
+  writeText(checkout / "foamCase/constant/triSurface/lumen.stl", example.out);
+  EXPECT_EQ(start("Allclean", {}, elsewhere), "");
   for (const char* left : {"build", "results", "foamCase/0", "foamCase/constant/triSurface"})
     EXPECT_FALSE(fs::exists(checkout / left)) << left;
   EXPECT_TRUE(fs::exists(checkout / "foamCase/0.orig/U"));
   EXPECT_TRUE(fs::exists(checkout / "foamCase/constant/transportProperties"));
+}
+
+TEST_F(Scripts, AllcleanLeavesTheUsersOwnAndNamesIt) {
+  fs::create_directories(checkout / "scenes");
+  for (const char* scene : {"quick", "noted", "kept", "running"})
+    writeText(checkout / "scenes" / (std::string(scene) + ".toml"), "[scene]\n");
+  for (const char* file :
+       {"quick/summary.json", "mine/summary.json", "noted/notes.txt", "noted/summary.json",
+        "kept/previous/notes.txt", "running/.restenosisFoam", "list.txt", "mine-compare/compare.json"})
+    result(file);
+  fs::create_directory_symlink(elsewhere, checkout / "results/linked");
+  writeText(elsewhere / "thesis.doc", "years of work");
+  fs::create_directories(checkout / "foamCase/constant/triSurface");
+  fs::create_directories(checkout / "foamCase/100");
+  writeText(checkout / "foamCase/constant/triSurface/lumen.stl", "solid wall\n");
+  Process run({"/usr/bin/flock", (checkout / "results/running/.restenosisFoam").string(), "/bin/sleep", "60"},
+              elsewhere);
+  while (
+      Process({"/usr/bin/flock", "-n", (checkout / "results/running/.restenosisFoam").string(), "/bin/true"},
+              elsewhere)
+          .wait(std::chrono::minutes(1))
+          .status == 0)
+    ASSERT_TRUE(run.running());
+  const std::string out = start("Allclean", {}, elsewhere);
+  EXPECT_FALSE(fs::exists(checkout / "results/quick"));
+  EXPECT_FALSE(fs::exists(checkout / "build"));
+  for (const char* stays :
+       {"results/mine/summary.json", "results/noted/notes.txt", "results/noted/summary.json",
+        "results/kept/previous/notes.txt", "results/running/.restenosisFoam", "results/list.txt",
+        "results/mine-compare/compare.json", "results/linked", "foamCase/100",
+        "foamCase/constant/triSurface/lumen.stl"})
+    EXPECT_TRUE(fs::exists(checkout / stays)) << stays;
+  for (const char* says :
+       {"results/mine (not of a scene of the checkout)",
+        "results/noted (holds notes.txt, which no run has written)",
+        "results/kept (holds previous/notes.txt, ", "results/running (a run is writing there)",
+        "results/list.txt (not a folder of results)", "results/linked (a link)",
+        "They stay; ./Allclean --all removes them.",
+        "foamCase/constant/triSurface/lumen.stl (a surface of your own"})
+    EXPECT_NE(out.find(says), std::string::npos) << says << '\n' << out;
+  start("Allclean", {"--all"}, elsewhere);
+  EXPECT_FALSE(fs::exists(checkout / "results"));
+  EXPECT_FALSE(fs::exists(checkout / "foamCase/100"));
+  EXPECT_TRUE(fs::exists(elsewhere / "thesis.doc")) << "what a link names is not the checkout's";
+}
+
+TEST_F(Scripts, AllcleanTakesAChangedSceneForTheUsersOwn) {
+  fs::create_directories(checkout / "scenes");
+  for (const char* scene : {"quick", "changed"})
+    writeText(checkout / "scenes" / (std::string(scene) + ".toml"), "[scene]\n");
+  const auto git = [this](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"/usr/bin/git", "-c", "user.name=a", "-c", "user.email=a@b"});
+    const ProcessEnd end = Process(arguments, checkout).wait(std::chrono::minutes(1));
+    EXPECT_EQ(end.status, 0) << toString(end);
+  };
+  git({"init", "-q"});
+  git({"add", "scenes"});
+  git({"commit", "-q", "-m", "scenes"});
+  writeText(checkout / "scenes/changed.toml", "[scene]\nseed = 2\n");
+  writeText(checkout / "scenes/added.toml", "[scene]\n");
+  for (const char* file : {"quick/summary.json", "changed/summary.json", "added/summary.json"}) result(file);
+  start("Allclean", {}, elsewhere);
+  EXPECT_FALSE(fs::exists(checkout / "results/quick"));
+  EXPECT_TRUE(fs::exists(checkout / "results/changed"));
+  EXPECT_TRUE(fs::exists(checkout / "results/added"));
+}
+
+TEST_F(Scripts, AllcleanKnowsWhatARunWrites) {
+  fs::create_directories(checkout / "scenes");
+  writeText(checkout / "scenes/quick.toml", with(tinyScene, "\"4 d\"", "\"4 h\""));
+  for (int runs = 0; runs < 2; ++runs) {  // the second moves the first aside
+    const ProcessEnd end =
+        Process({RESTENOSIS_PROGRAM, "run", "scenes/quick.toml"}, checkout).wait(std::chrono::minutes(5));
+    ASSERT_EQ(end.status, 0) << toString(end);
+  }
+  EXPECT_TRUE(fs::exists(checkout / "results/quick/previous"));
+  for (const char* picture :
+       {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html", "figures.log"})
+    result("quick/" + std::string(picture));
+  EXPECT_EQ(start("Allclean", {}, elsewhere), "");
+  EXPECT_FALSE(fs::exists(checkout / "results"));
 }
 
 }  // namespace
