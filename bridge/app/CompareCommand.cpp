@@ -19,7 +19,6 @@
 #include "Figures.h"
 #include "FlowBackendNames.h"
 #include "FlowBackends.h"
-#include "FoamPath.h"
 #include "FoamRequirements.h"
 #include "FoamTemplate.h"
 #include "OptionChecks.h"
@@ -94,7 +93,6 @@ void removeFormerComparison(const fs::path& folder) {
 /// `given`: the lumen, where no run has to make it.
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
             std::optional<ComparedLumen> given) {
-  requireFoamPath(folder);
   // Said before a wall is packed and deployed for it
   if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
     throw FlowFailed(missing, {});

@@ -11,9 +11,7 @@
 #include "ExitStatus.h"
 #include "Failures.h"
 #include "Figures.h"
-#include "FlowBackendNames.h"
 #include "FlowForecast.h"
-#include "FoamPath.h"
 #include "OptionChecks.h"
 #include "Plan.h"
 #include "PrintableOutput.h"
@@ -110,7 +108,6 @@ void requireFilesElsewhere(const Scene& scene, const std::filesystem::path& fold
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
-  if (scene.flow && scene.flow->backend == flowBackendNames::foam) requireFoamPath(path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
   std::cerr << surfacesText(scene);
   if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them

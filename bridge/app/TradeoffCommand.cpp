@@ -13,7 +13,6 @@
 #include "Figures.h"
 #include "FlowBackendNames.h"
 #include "FlowTradeoff.h"
-#include "FoamPath.h"
 #include "OptionChecks.h"
 #include "ResultsFolder.h"
 #include "Run.h"
@@ -54,7 +53,6 @@ void nameFiles(const fs::path& folder) {
 
 int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path& folder,
           const std::vector<SweptSetting>& settings, const std::vector<std::vector<Scene>>& scenes) {
-  if (solvesFlow(scene)) requireFoamPath(folder);
   createOutputFolder(folder);
   const TradeoffOptions options{
       .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};

@@ -80,6 +80,11 @@ std::map<std::string, std::string> collect(Section section) {
   return values;
 }
 
+/// Of the keys of [foam] that which ends programs that hang decides no result.
+void leaveOutSilenceLimit(std::map<std::string, std::string>& values) {
+  values.erase(fmt::format("{}.silenceLimit", FoamSettings::section));
+}
+
 std::string hashOf(std::map<std::string, std::string> values) {
   HashingArchive archive;
   archive(values);
@@ -96,6 +101,7 @@ std::map<std::string, std::string> decisiveValues(const Scene& scene) {
     return entry.first == "scene.title" || entry.first == "scene.duration" ||
            entry.first.starts_with("output");
   });
+  leaveOutSilenceLimit(values);
   return values;
 }
 
@@ -129,7 +135,11 @@ std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b) {
 
 std::map<std::string, std::string> flowSettings(const Scene& scene) {
   if (!scene.flow) return {};
-  if (scene.flow->backend == flowBackendNames::foam) return collect(scene.foamSettings());
+  if (scene.flow->backend == flowBackendNames::foam) {
+    auto values = collect(scene.foamSettings());
+    leaveOutSilenceLimit(values);
+    return values;
+  }
   if (scene.flow->backend == flowBackendNames::lbm) return collect(scene.lbmSettings());
   return {};
 }

@@ -3,12 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -83,9 +84,9 @@ class Child {
   /// The same, ending the child once enough() is true; says whether it had to.
   template <class Enough>
   bool waitOrStop(Enough&& enough) {
-    while (!enough()) {
+    for (;; std::this_thread::sleep_for(stopLatency)) {
       if (ended(WNOHANG)) return false;
-      std::this_thread::sleep_for(stopLatency);
+      if (enough()) break;
     }
     signal(SIGTERM);
     for (const auto last = Clock::now() + gracePeriod; Clock::now() < last;) {
@@ -123,28 +124,58 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
   return result;
 }
 
-std::vector<std::string> mergedEnvironment(const std::map<std::string, std::string>& changes) {
+std::vector<std::string> mergedEnvironment(const std::map<std::string, std::string>& changes,
+                                           const std::function<bool(std::string_view)>& left) {
   std::vector<std::string> result;
   for (char** entry = environ; *entry; ++entry) {
     const std::string text = *entry;
-    if (!changes.contains(text.substr(0, text.find('=')))) result.push_back(text);
+    const std::string variable = text.substr(0, text.find('='));
+    if (!changes.contains(variable) && !(left && left(variable))) result.push_back(text);
   }
   for (const auto& [key, value] : changes) result.push_back(key + "=" + value);
   return result;
 }
 
+/// For how long a file has not grown.
+class Silence {
+ public:
+  explicit Silence(int fd) : fd_(fd) {}
+  std::chrono::duration<double> untilNow() {
+    const auto now = Clock::now();
+    struct stat status {};
+    fstat(fd_, &status);
+    if (status.st_size != size_)
+      lasted_ = {};
+    else
+      lasted_ += std::min<Clock::duration>(now - last_, longestGlance);
+    size_ = status.st_size, last_ = now;
+    return lasted_;
+  }
+
+ private:
+  /// A longer time between two glances is one in which this program was stopped, and maybe the other too.
+  static constexpr std::chrono::seconds longestGlance{1};
+
+  int fd_;
+  off_t size_ = 0;
+  Clock::time_point last_ = Clock::now();
+  Clock::duration lasted_{};
+};
+
 /// What the new process does before it becomes the program; only async-signal-safe calls, since other threads
 /// of this program may hold locks. On failure the errno goes to `report`.
 [[noreturn]] void becomeProgram(const char* program, char* const* arguments, char* const* environment,
-                                const char* folder, int input, int output, int report, pid_t parent) {
+                                const char* folder, int input, int output, int report, pid_t parent,
+                                int deathSignal) {
   const auto fail = [report] {
     const int error = errno;
     [[maybe_unused]] const auto written = write(report, &error, sizeof error);
     _exit(127);
   };
-  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) fail();
+  if (prctl(PR_SET_PDEATHSIG, deathSignal) != 0) fail();
   if (getppid() != parent) _exit(127);  // the parent died before the line above
   if (setpgid(0, 0) != 0) fail();
+  for (const int asking : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) signal(asking, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -165,6 +196,7 @@ ProgramMissing::ProgramMissing(const std::string& programName)
       program(programName) {}
 
 bool ProgramExit::interrupted() const {
+  if (late || silent) return stopped;  // the signal was ours
   return stopped || signal == SIGINT || signal == SIGTERM || signal == SIGHUP;
 }
 
@@ -180,6 +212,11 @@ ExternalProgram& ExternalProgram::setEnvironment(const std::string& variable, co
   return *this;
 }
 
+ExternalProgram& ExternalProgram::withoutEnvironment(std::function<bool(std::string_view)> left) {
+  left_ = std::move(left);
+  return *this;
+}
+
 ExternalProgram& ExternalProgram::stopWhen(const std::atomic<bool>* requested) {
   stopRequested_ = requested;
   return *this;
@@ -187,6 +224,16 @@ ExternalProgram& ExternalProgram::stopWhen(const std::atomic<bool>* requested) {
 
 ExternalProgram& ExternalProgram::stopAfter(std::chrono::seconds limit) {
   limit_ = limit;
+  return *this;
+}
+
+ExternalProgram& ExternalProgram::stopWhenSilentFor(std::chrono::duration<double> limit) {
+  silenceLimit_ = limit;
+  return *this;
+}
+
+ExternalProgram& ExternalProgram::signalledAtDeath(int signal) {
+  deathSignal_ = signal;
   return *this;
 }
 
@@ -206,7 +253,10 @@ ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
   std::vector<std::string> words = {path_.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const auto argv = pointers(words);
-  const auto environment = mergedEnvironment(environment_);
+  auto changes = environment_;
+  std::error_code absent;  // told by the attempt to start there
+  changes.try_emplace("PWD", std::filesystem::canonical(folder, absent).string());
+  const auto environment = mergedEnvironment(changes, left_);
   const auto envp = pointers(environment);
   const pid_t parent = getpid();
   const pid_t pid = fork();
@@ -214,7 +264,7 @@ ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
     throw std::runtime_error(fmt::format("cannot start {}: {}", path_.string(), std::strerror(errno)));
   if (pid == 0)
     becomeProgram(path_.c_str(), argv.data(), envp.data(), folder.c_str(), input.get(), output.get(),
-                  reportOut.get(), parent);
+                  reportOut.get(), parent, deathSignal_);
   Child child(pid);
   reportOut.close();
 
@@ -230,11 +280,17 @@ ProgramExit ExternalProgram::run(const std::vector<std::string>& arguments,
   ProgramExit result;
   const auto isAsked = [this] { return stopRequested_ != nullptr && *stopRequested_; };
   const auto isLate = [&] { return limit_ && Clock::now() - start > *limit_; };
-  if (!stopRequested_ && !limit_) {
+  Silence silence(output.get());
+  const auto isSilent = [&] { return silenceLimit_ && silence.untilNow() > *silenceLimit_; };
+  if (!stopRequested_ && !limit_ && !silenceLimit_) {
     child.wait();
-  } else if (child.waitOrStop([&] { return isAsked() || isLate(); })) {
-    result.stopped = isAsked();
-    result.late = !result.stopped;
+  } else if (child.waitOrStop([&] {
+               result.stopped = isAsked();
+               result.late = !result.stopped && isLate();
+               result.silent = !result.stopped && !result.late && isSilent();
+               return result.stopped || result.late || result.silent;
+             })) {
+    result.stopped = result.stopped || isAsked();
   }
   const int status = child.status();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -1,4 +1,5 @@
 #include <regex>
+#include <thread>
 
 #include "WholeProgram.h"
 
@@ -64,6 +65,34 @@ TEST_F(FailingFlow, AProgramThatDoesNothingIsFound) {
   EXPECT_EXIT_STATUS(end, 1);
   EXPECT_NE(end.err.find("The flow failed: "), std::string::npos) << end.err;
   expectResultsKept();
+}
+
+/// One that waits for what never comes.
+TEST_F(FailingFlow, AProgramThatHangsIsNamedWithItsLogAndEnded) {
+  const ProcessEnd end = run({"run", foamScene(), "-o", "out", "--set", "foam.silenceLimit=0.001 min"},
+                             {{"PATH", pathWithBlockMesh("exec sleep 100000")}});
+  EXPECT_EXIT_STATUS(end, 1);
+  for (const char* part : {"blockMesh hangs: its log has not grown for 0.001 min (foam.silenceLimit)",
+                           "log.blockMesh", "go on with --resume"})
+    EXPECT_NE(end.err.find(part), std::string::npos) << end.err;
+  expectResultsKept();
+}
+
+TEST_F(FailingFlow, AProgramThatHangsCanBeInterrupted) {
+  Process process(command({"run", foamScene(), "-o", "out"}), folder.path(),
+                  {{"PATH", pathWithBlockMesh("echo here; exec sleep 100000")}});
+  const auto hangs = [&] {
+    if (!exists("out/flow")) return false;
+    for (const auto& entry : fs::directory_iterator(folder / "out/flow"))
+      if (readText(entry.path() / "log.blockMesh") == "here\n") return true;
+    return false;
+  };
+  while (process.running() && !hangs()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  process.send(SIGINT);
+  const ProcessEnd end = process.wait(patience);
+  EXPECT_EXIT_STATUS(end, 1);
+  EXPECT_NE(end.err.find("interrupted; go on with --resume"), std::string::npos) << end.err;
+  EXPECT_EQ(summary("out")["status"], "interrupted");
 }
 
 }  // namespace

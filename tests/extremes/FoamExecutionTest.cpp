@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "AtomicFile.h"
+#include "EnvironmentVariable.h"
 #include "FileSizeLimit.h"
 #include "FlowSupport.h"
 #include "FoamBackend.h"
@@ -162,17 +163,37 @@ INSTANTIATE_TEST_SUITE_P(Stages, FoamDiskFull,
                                            DiskFull{"case/log.blockMesh", 300000, "snappyHexMesh"},
                                            DiskFull{"case/log.checkMesh", 100000, "simpleFoam"}));
 
+/// A folder for the PATH with programs that do nothing, but for snappyHexMesh, which is this shell script.
+fs::path programsIn(const fs::path& bin, const std::string& snappyHexMesh) {
+  fs::create_directories(bin);
+  for (const char* program : {"blockMesh", "decomposePar", "snappyHexMesh"}) {
+    writeText(bin / program,
+              std::string("#!/bin/sh\n") + (program == std::string("snappyHexMesh") ? snappyHexMesh : ""));
+    fs::permissions(bin / program, fs::perms::owner_all);
+  }
+  return bin;
+}
+
+TEST(FoamExecution, ranksThatHangAreNamedWithTheirLogAndEnded) {
+  RESTENOSIS_NEEDS_OPENFOAM();  // of which MPI is a part
+  const TemporaryFolder scratch;
+  // One that does not even heed the request to end
+  const auto bin = programsIn(scratch / "bin", "trap '' TERM\necho here\nsleep 100000\nsleep 100000\n");
+  const EnvironmentVariable path("PATH", (bin.string() + ":/usr/bin:/bin").c_str());
+  FoamSettings settings = FoamSettings::forFidelity("draft");
+  settings.silenceLimit = 1;  // [s]
+  const auto found = failure(settings, {.ranks = 2}, scratch / "case");
+  EXPECT_SAYS(found.message, "snappyHexMesh hangs: its log has not grown for");
+  EXPECT_EQ(found.message.find("first attempt"), std::string::npos);
+  EXPECT_EQ(found.log, scratch / "case/log.snappyHexMesh");
+  for (const char* name : {"sleep", "snappyHexMesh", "mpirun"})
+    EXPECT_TRUE(allEnd(scratch.path(), name)) << name;
+}
+
 TEST(FoamExecution, missingMpirunNamesItsPackage) {
   const TemporaryFolder scratch;
-  fs::create_directories(scratch / "bin");
-  for (const char* program : {"blockMesh", "decomposePar", "snappyHexMesh"}) {
-    writeText(scratch.path() / "bin" / program, "#!/bin/sh\n");
-    fs::permissions(scratch.path() / "bin" / program, fs::perms::owner_all);
-  }
-  const std::string before = std::getenv("PATH");
-  setenv("PATH", (scratch / "bin").c_str(), 1);
+  const EnvironmentVariable path("PATH", programsIn(scratch / "bin", "").c_str());
   const auto found = failure(FoamSettings::forFidelity("draft"), {.ranks = 2}, scratch / "case");
-  setenv("PATH", before.c_str(), 1);
   EXPECT_SAYS(found.message, "'mpirun'");
   EXPECT_SAYS(found.message, "apt install openmpi-bin");
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "EnvironmentVariable.h"
 #include "ExternalProgram.h"
 #include "TemporaryFolder.h"
 
@@ -109,6 +110,74 @@ TEST(ExternalProgram, endsWithItsChildrenWhenItTakesTooLong) {
   EXPECT_FALSE(exit.stopped);
   EXPECT_LT(exit.seconds, 20.0);
   EXPECT_TRUE(hasEnded(std::stoi(readText(log))));
+}
+
+TEST(ExternalProgram, isToldTheFolderThatItRunsIn) {
+  const TemporaryFolder scratch;
+  const std::string odd = "a b \"c\" 'd' $HOME \xc3\xa4\n";
+  std::filesystem::create_directories(scratch / odd);
+  const EnvironmentVariable shells("PWD",
+                                   "/");  // of another program, as a shell leaves it that has gone elsewhere
+  ExternalProgram("sh").run({"-c", "printenv PWD"}, scratch / odd, scratch / "log");
+  EXPECT_EQ(readText(scratch / "log"), (scratch / odd).string() + '\n');
+}
+
+TEST(ExternalProgram, doesNotHaveVariablesThatAreLeftOut) {
+  const TemporaryFolder scratch;
+  const EnvironmentVariable left("RF_TEST_LEFT", "1"), set("RF_TEST_SET", "1"), other("RF_OTHER", "1");
+  ExternalProgram("sh")
+      .withoutEnvironment([](std::string_view variable) { return variable.starts_with("RF_TEST_"); })
+      .setEnvironment("RF_TEST_SET", "2")
+      .run({"-c", "echo \"$RF_TEST_LEFT,$RF_TEST_SET,$RF_OTHER\""}, scratch.path(), scratch / "log");
+  EXPECT_EQ(readText(scratch / "log"), ",2,1\n");
+}
+
+TEST(ExternalProgram, endsWithItsChildrenWhenItsLogNoLongerGrows) {
+  const TemporaryFolder scratch;
+  const auto log = scratch.path() / "log";
+  const auto exit = ExternalProgram("sh")
+                        .stopWhenSilentFor(std::chrono::milliseconds(50))
+                        .run({"-c", "sleep 1000 & echo $!; wait"}, scratch.path(), log);
+  EXPECT_TRUE(exit.silent);
+  EXPECT_FALSE(exit.stopped);
+  EXPECT_FALSE(exit.interrupted());
+  const std::string child = readText(log);  // empty where it had not come so far
+  EXPECT_TRUE(child.empty() || hasEnded(std::stoi(child)));
+}
+
+TEST(ExternalProgram, isNotSilentWhileItSaysSomethingOrEndsByItself) {
+  const TemporaryFolder scratch;
+  const auto exit = ExternalProgram("sh")
+                        .stopWhenSilentFor(std::chrono::minutes(10))
+                        .run({"-c", "echo a; exit 3"}, scratch.path(), scratch / "log");
+  EXPECT_FALSE(exit.silent);
+  EXPECT_EQ(exit.status, 3);
+}
+
+TEST(ExternalProgram, canBeInterruptedWhileItHangs) {
+  const TemporaryFolder scratch;
+  const auto log = scratch.path() / "log";
+  std::atomic<bool> stop{false};
+  std::thread asking([&] {
+    until([&] { return readText(log).ends_with('\n'); });
+    stop = true;
+  });
+  const auto exit = ExternalProgram("sh")
+                        .stopWhen(&stop)
+                        .stopWhenSilentFor(std::chrono::minutes(10))
+                        .run({"-c", "echo a; sleep 1000"}, scratch.path(), log);
+  asking.join();
+  EXPECT_TRUE(exit.stopped);
+  EXPECT_FALSE(exit.silent);
+}
+
+TEST(ExternalProgram, doesNotIgnoreWhatThisOneWasStartedToIgnore) {
+  const TemporaryFolder scratch;
+  const auto before = signal(SIGINT, SIG_IGN);
+  const auto exit =
+      ExternalProgram("sh").run({"-c", "kill -INT $$; sleep 1000"}, scratch.path(), scratch / "log");
+  signal(SIGINT, before);
+  EXPECT_EQ(exit.signal, SIGINT);
 }
 
 TEST(ExternalProgram, isFoundWhereItsNameSays) {

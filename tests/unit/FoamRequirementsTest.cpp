@@ -8,13 +8,6 @@
 namespace restenosis {
 namespace {
 
-TEST(FoamRequirements, NameWhatAPathMayNotHold) {
-  EXPECT_EQ(unusableFoamPath("/results/quick-2(a)"), "");
-  EXPECT_EQ(unusableFoamPath("/my results/quick"),
-            "/my results/quick: OpenFOAM works in no folder with a blank in its path");
-  EXPECT_EQ(unusableFoamPath("/it's"), "/it's: OpenFOAM works in no folder with the character ' in its path");
-}
-
 TEST(FoamRequirements, NameTheProgramThatIsMissingAndItsPackage) {
   TemporaryFolder empty;
   const std::string former = std::getenv("PATH");

@@ -26,7 +26,9 @@ class FoamBackend : public FlowBackend {
   enum class Remeshing : std::uint8_t { always, onDemand };
   explicit FoamBackend(const FoamSettings& settings, const FoamExecution& execution = {},
                        Remeshing remeshing = Remeshing::always)
-      : settings_(settings), execution_(execution), remeshing_(remeshing) {}
+      : settings_(settings), execution_(execution), remeshing_(remeshing) {
+    execution_.silenceLimit = std::chrono::duration<double>(settings.silenceLimit);
+  }
   std::string_view name() const override;
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;

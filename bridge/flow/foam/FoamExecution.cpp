@@ -2,26 +2,34 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 
+#include "FoamEnvironment.h"
+
 namespace restenosis {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// A variable that the user's environment may set otherwise.
 void setDefault(ExternalProgram& program, const char* variable, const char* value) {
-  if (!std::getenv(variable)) program.setEnvironment(variable, value);
+  if (!std::getenv(variable) || isForOtherFoamCases(variable)) program.setEnvironment(variable, value);
 }
 
-/// Prepares a program of OpenFOAM, or one that starts such programs.
-ExternalProgram inFoamEnvironment(const std::string& name, const FoamExecution& execution) {
-  ExternalProgram program(name);
-  setDefault(program, "WM_PROJECT_DIR", "/usr/share/openfoam");
+/// Prepares a program of OpenFOAM, found at `foam`, or the starter of such programs, to run in a case.
+ExternalProgram prepared(ExternalProgram program, const fs::path& foam, const FoamExecution& execution,
+                         const fs::path& folder) {
+  setFoamEnvironment(program, folder);
+  program.setEnvironment("WM_PROJECT_DIR", foamProjectFolder(foam));
   // snappyHexMesh frees and asks again for the same large blocks: glibc keeps them instead of returning them,
   // in large pages, of which few have to be handed out
   setDefault(program, "GLIBC_TUNABLES",
              "glibc.malloc.trim_threshold=1073741824:glibc.malloc.mmap_threshold=1073741824:"
              "glibc.malloc.top_pad=67108864:glibc.malloc.hugetlb=1");
   program.stopWhen(execution.stopRequested);
+  if (execution.silenceLimit) program.stopWhenSilentFor(*execution.silenceLimit);
   return program;
 }
 
@@ -38,22 +46,50 @@ void setOpenMpiDefaults(ExternalProgram& mpirun) {
   }
 }
 
+/// What MPI's processes share lies in the case instead of in /dev/shm and /tmp, where whatever kills all of
+/// them leaves it for good.
+class SharedFiles {
+ public:
+  SharedFiles(ExternalProgram& mpirun, const fs::path& folder) : folder_(folder / name) {
+    fs::create_directory(folder_);
+    const std::string seen = std::string("/proc/self/cwd/") + name;  // short, and without odd characters
+    mpirun.setEnvironment("OMPI_MCA_orte_tmpdir_base", seen);
+    mpirun.setEnvironment("OMPI_MCA_btl_vader_backing_directory", seen);
+  }
+  ~SharedFiles() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  SharedFiles(const SharedFiles&) = delete;
+  SharedFiles& operator=(const SharedFiles&) = delete;
+
+ private:
+  static constexpr const char* name = "mpi";
+  fs::path folder_;
+};
+
 }  // namespace
 
 ProgramExit runFoam(const std::string& program, const std::vector<std::string>& arguments,
-                    const FoamExecution& execution, const std::filesystem::path& folder,
-                    const std::filesystem::path& log) {
-  return inFoamEnvironment(program, execution).run(arguments, folder, log);
+                    const FoamExecution& execution, const fs::path& folder, const fs::path& log) {
+  const ExternalProgram foam(program);
+  return prepared(foam, foam.path(), execution, folder).run(arguments, folder, log);
 }
 
 ProgramExit runFoamOnRanks(const std::string& program, const std::vector<std::string>& arguments,
-                           const FoamExecution& execution, const std::filesystem::path& folder,
-                           const std::filesystem::path& log) {
+                           const FoamExecution& execution, const fs::path& folder, const fs::path& log) {
   if (!execution.parallel()) return runFoam(program, arguments, execution, folder, log);
   const ExternalProgram ranked(program);  // named here where it is missing, not in mpirun's words
-  ExternalProgram mpirun = inFoamEnvironment("mpirun", execution);
+  ExternalProgram mpirun = prepared(ExternalProgram("mpirun"), ranked.path(), execution, folder);
   setOpenMpiDefaults(mpirun);
-  std::vector<std::string> words = {"-np", std::to_string(execution.ranks), ranked.path().string(),
+  mpirun.signalledAtDeath(SIGTERM);  // it then ends its processes, however they hang
+  const SharedFiles shared(mpirun, folder);
+  // mpirun gives its processes a PWD of its own
+  std::vector<std::string> words = {"-np",
+                                    std::to_string(execution.ranks),
+                                    "/usr/bin/env",
+                                    "PWD=" + foamWorkingFolder(folder),
+                                    ranked.path().string(),
                                     "-parallel"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   ProgramExit exit = mpirun.run(words, folder, log);

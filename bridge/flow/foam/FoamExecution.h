@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@ namespace restenosis {
 struct FoamExecution {
   int ranks = 1;                                     ///< MPI processes of the mesher and the solver
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, the program that runs is ended
+  /// A program whose log has not grown for so long is ended; none: never.
+  std::optional<std::chrono::duration<double>> silenceLimit = {};
   bool parallel() const { return ranks > 1; }
 };
 

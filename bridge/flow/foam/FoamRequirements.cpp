@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "ExternalProgram.h"
+#include "FoamEnvironment.h"
 
 namespace restenosis {
 
@@ -19,20 +22,14 @@ std::string missingFoamProgram(int ranks) {
   if (ranks > 1)
     programs.insert(programs.end(), {"decomposePar", "reconstructParMesh", "reconstructPar", "mpirun"});
   for (const std::string& program : programs) try {
-      ExternalProgram{program};
+      const ExternalProgram found(program);
+      if (program != "mpirun") foamProjectFolder(found.path());
     } catch (const ProgramMissing&) {
       return missingProgramText(program);
+    } catch (const std::runtime_error& error) {
+      return error.what();
     }
   return "";
-}
-
-std::string unusableFoamPath(const std::filesystem::path& folder) {
-  const std::string path = std::filesystem::weakly_canonical(std::filesystem::absolute(folder)).string();
-  const auto at = path.find_first_of(" \t\n\"'");
-  if (at == std::string::npos) return "";
-  return fmt::format(
-      "{}: OpenFOAM works in no folder with {} in its path", path,
-      path[at] == '"' || path[at] == '\'' ? fmt::format("the character {}", path[at]) : "a blank");
 }
 
 }  // namespace restenosis

@@ -67,6 +67,11 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
   (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) += exit.seconds;
   if (exit.interrupted())
     throw FlowFailed(fmt::format("{} was interrupted: {}", program, exit.describe()), log(program));
+  if (exit.silent)
+    throw FlowFailed(fmt::format("{} hangs: its log has not grown for {:.4g} min (foam.silenceLimit), so it "
+                                 "was ended",
+                                 program, execution_.silenceLimit->count() / 60),
+                     log(program));
   if (exit.signal == SIGKILL) {
     requireRoomAfter(program);
     throw FlowFailed(fmt::format("{} was killed from outside, or by the system for want of memory: {}",

@@ -143,6 +143,15 @@ void FoamSettings::describe(ParameterVisitor& p) {
                                   .minimum = 1,
                                   .source = "assumed",
                                   .description = "fewest core cells across the inlet before the run"});
+  p.quantity(
+      silenceLimit,
+      {.key = "silenceLimit",
+       .unit = "min",
+       .minimum = 0,
+       .maximum = 10000,
+       .minimumAllowed = false,
+       .source = "assumed",
+       .description = "a program of OpenFOAM whose log has not grown for so long hangs, and is ended"});
 }
 
 FoamSettings FoamSettings::forFidelity(std::string_view fidelity) {

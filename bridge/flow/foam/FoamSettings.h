@@ -36,6 +36,7 @@ struct FoamSettings {
   double morphNonOrthogonality = 65;  ///< largest of a moved mesh [degrees]
   double maximumCells = 6e6;          ///< estimate above which meshing is refused
   double minimumCellsAcross = 8;      ///< fewest core cells across the inlet before the run
+  double silenceLimit = 1800;         ///< a program whose log has not grown for so long hangs [s]
 
   bool operator==(const FoamSettings&) const = default;
   /// Size of the cells at the wall [m].
