@@ -1,8 +1,10 @@
 #include "RuntimeSettings.h"
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 #if __has_include(<malloc.h>)
@@ -30,14 +32,20 @@ void startAgain(char** argv) {
   const bool tune = std::getenv("GLIBC_TUNABLES") == nullptr;
   if (tune) setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 1);
   setenv(mark, tune ? withTunables : withoutTunables, 1);
-  execv("/proc/self/exe", argv);
+  // By its own name: started as /proc/self/exe it would be called `exe` in ps, top, pgrep and killall
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) execv(program.c_str(), argv);
   // Where that is not possible, the run is merely slower.
 }
+
+/// Whether the loader was given this program as an argument: it is the loader then that would be started.
+bool startedThroughTheLoader() { return getauxval(AT_BASE) == 0; }
 
 }  // namespace
 
 void applyRuntimeSettings(char** argv) {
-  if (!std::getenv(mark)) startAgain(argv);
+  if (!std::getenv(mark) && !startedThroughTheLoader()) startAgain(argv);
   const char* const marked = std::getenv(mark);
   if (marked && std::string_view(marked) == withTunables) unsetenv("GLIBC_TUNABLES");
   unsetenv(mark);

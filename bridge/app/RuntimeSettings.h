@@ -16,7 +16,8 @@ namespace restenosis {
 ///   Larger ones go back. Left to itself glibc keeps those of up to 32 MiB, and a vessel of 640,000 agents
 ///   has a tenth more memory.
 ///
-/// The first two are read when a program is loaded, so it starts itself again once. Programs that it starts
+/// The first two are read when a program is loaded, and large pages cannot be asked of the C library in any
+/// other way, so it starts itself again once, under its own name. Programs that it starts
 /// later have the user's GLIBC_TUNABLES, not its own.
 void applyRuntimeSettings(char** argv);
 

@@ -4,7 +4,8 @@
 
 namespace restenosis {
 
-/// From now on the first Ctrl-C or SIGTERM no longer ends the program, but sets the flag returned.
+/// From now on the first Ctrl-C, SIGTERM or SIGHUP no longer ends the program, but sets the flag returned. A
+/// SIGHUP that the program was started to ignore (nohup) stays ignored.
 const std::atomic<bool>& stopOnSignals();
 
 }  // namespace restenosis

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -15,10 +14,12 @@
 #include "ExitStatus.h"
 #include "NearestName.h"
 #include "PrintableOutput.h"
+#include "ProcessSetup.h"
 #include "RunCommand.h"
 #include "RuntimeSettings.h"
 #include "SchemaCommand.h"
 #include "Shown.h"
+#include "StandardOutput.h"
 #include "TradeoffCommand.h"
 #include "Version.h"
 
@@ -36,16 +37,9 @@ std::string commandProblem(const CLI::App& app, int argc, char** argv) {
                      restenosis::suggestion(given, names));
 }
 
-}  // namespace
-
-/// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
-int main(int argc, char** argv) {
+/// Does what the command line asks for; returns the exit status.
+int runCommand(int argc, char** argv) {
   using namespace restenosis;
-  applyRuntimeSettings(argv);
-  const PrintableOutput printableOutput;
-  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the system allows fails to be written, and is named
-  vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words
-
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
   app.set_version_flag("--version", std::string(version()));
   app.require_subcommand(1);
@@ -72,4 +66,16 @@ int main(int argc, char** argv) {
     return ExitStatus::failed;
   }
   return status;
+}
+
+}  // namespace
+
+/// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
+int main(int argc, char** argv) {
+  using namespace restenosis;
+  applyRuntimeSettings(argv);
+  setUpProcess();
+  const PrintableOutput printableOutput;
+  vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words
+  return statusWithOutput(runCommand(argc, argv));
 }

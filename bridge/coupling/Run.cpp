@@ -141,7 +141,7 @@ void Run::go() {
     throw;
   } catch (const FlowFailed&) {
     // Programs that were asked to end may say that they failed
-    const bool asked = options_.stopRequested && *options_.stopRequested;
+    const bool asked = isAskedToStop();
     endAs(asked ? "interrupted" : "failed");
     if (asked) throw Interrupted();
     throw;
@@ -170,8 +170,10 @@ Wall Run::initialWall() {
     return wall;
   }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
-                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed),
-                  &world_.packing.emplace());
+                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed), &world_.packing.emplace(),
+                  [this] {
+                    if (isAskedToStop()) throw Interrupted();  // there is nothing to save yet
+                  });
 }
 
 void Run::prepareWall() {
@@ -318,8 +320,10 @@ void Run::recordOcclusion() {
   world_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / secondsPerDay));
 }
 
+bool Run::isAskedToStop() const { return options_.stopRequested && *options_.stopRequested; }
+
 void Run::stopIfAsked() {
-  if (!options_.stopRequested || !*options_.stopRequested) return;
+  if (!isAskedToStop()) return;
   saveCheckpoint();
   throw Interrupted();
 }

@@ -74,6 +74,7 @@ class Run {
   /// Throws CheckpointRefused where the next solve needs the case of the last one and it is gone.
   void requireFormerCase();
   void noteCaseInCheckpoint();
+  bool isAskedToStop() const;
   void stopIfAsked();
   void recordOcclusion();
   void reportProgress(const Instant& now);

@@ -175,7 +175,7 @@ class Silence {
   if (prctl(PR_SET_PDEATHSIG, deathSignal) != 0) fail();
   if (getppid() != parent) _exit(127);  // the parent died before the line above
   if (setpgid(0, 0) != 0) fail();
-  for (const int asking : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) signal(asking, SIG_DFL);
+  for (const int ending : {SIGINT, SIGTERM, SIGPIPE}) signal(ending, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

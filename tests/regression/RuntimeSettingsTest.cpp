@@ -11,7 +11,8 @@ class RuntimeSettings : public WholeProgram {
   std::string environmentOfPrograms(Environment environment) {
     const std::filesystem::path python = folder / "python";
     const std::filesystem::path seen = folder / "environment";
-    writeText(python, fmt::format("#!/bin/sh\nenv > '{}'\n", seen.string()));
+    writeText(python, fmt::format("#!/bin/sh\n{{ env; echo \"parent=$(cat /proc/$PPID/comm)\"; }} > '{}'\n",
+                                  seen.string()));
     std::filesystem::permissions(python, std::filesystem::perms::owner_all);
     environment["RESTENOSIS_PYTHON"] = python.string();
     const std::string tiny = scene("tiny", tinyScene);
@@ -27,6 +28,10 @@ TEST_F(RuntimeSettings, AreNotThoseOfProgramsThatItStarts) {
   const std::string environment = environmentOfPrograms({});
   EXPECT_EQ(environment.find("\nGLIBC_TUNABLES="), std::string::npos) << environment;
   EXPECT_EQ(environment.find("\nRESTENOSIS_STARTED_AGAIN="), std::string::npos) << environment;
+}
+
+TEST_F(RuntimeSettings, LeaveTheProgramItsName) {
+  EXPECT_NE(environmentOfPrograms({}).find("\nparent=restenosisFoam\n"), std::string::npos);
 }
 
 TEST_F(RuntimeSettings, LeaveTheUsersOwn) {

@@ -123,5 +123,23 @@ TEST(WallPacking, ALoadedWallIsBondedAndKeepsItsPlaces) {
   }
 }
 
+TEST(WallPacking, CanBeGivenUpAtAnyMoment) {
+  const VesselParameters vessel = smallVessel();
+  const MechanicsParameters mechanics;
+  struct GivenUp {};
+  int calls = 0;
+  const auto pack = [&](int until) {
+    calls = 0;
+    return packWall(vessel, cylindricalShape(vessel), mechanics, 1, nullptr, [&] {
+      if (++calls == until) throw GivenUp();
+    });
+  };
+  const std::string whole = digest(packWall(vessel, mechanics, 1).agents);
+  EXPECT_EQ(digest(pack(-1).agents), whole);
+  const int all = calls;
+  EXPECT_GT(all, 20);
+  for (const int moment : {1, 2, all / 2, all}) EXPECT_THROW(pack(moment), GivenUp) << moment;
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -137,6 +137,7 @@ RelaxationReport Relaxation::settle(Standing& standing) const {
   report.iterations = yield(relaxing);
   report.converged = relaxing.allAsleep();
   while (!report.converged && report.iterations < parameters_.maximumIterations) {
+    if (meanwhile_) meanwhile_();
     relaxing.advance();
     ++report.iterations;
     // Waking one after another is a slow way to bring a long soft chain to rest, for example.

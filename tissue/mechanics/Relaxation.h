@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "AgentStore.h"
 #include "BondTable.h"
@@ -68,6 +70,10 @@ class Relaxation {
   Relaxation(const Relaxation&) = delete;
   Relaxation& operator=(const Relaxation&) = delete;
 
+  /// What to call before every iteration; it may throw to give the relaxation up, and agents are where they
+  /// had come to then.
+  void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
+
   /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
   /// AgentStore::pressure of the agents it evaluated.
   RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
@@ -97,6 +103,7 @@ class Relaxation {
   int yield(RelaxingAgents& relaxing) const;
 
   MechanicsParameters parameters_;
+  std::function<void()> meanwhile_;
   ForceField field_;
   double referenceRadius_;
   double characteristicForce_;

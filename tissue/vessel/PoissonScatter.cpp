@@ -77,6 +77,7 @@ void PoissonScatter::add(AgentStore& agents, AgentKind kind, Index count, const 
   std::vector<std::uint8_t> found;
   std::vector<Index> placed;
   for (const Index end = agents.size() + count; agents.size() < end;) {
+    if (meanwhile_) meanwhile_();
     const AgentId first = agents.nextId;
     const std::size_t looking = std::min(turn, end - agents.size());
     seekers.assign(looking, {});

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "PointGrid.h"
 #include "RandomStream.h"
@@ -30,6 +31,8 @@ class PoissonScatter {
   /// both are, beginning at the full share.
   void add(AgentStore& agents, AgentKind kind, Index count, const RadiusOf& radiusOf,
            const SurfaceFromAxis& inner, const SurfaceFromAxis& outer);
+  /// What to call before every turn; it may throw to give up.
+  void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
 
  private:
   // Random sequential addition of spheres jams at 0.38 of the volume (0.55 of the area for discs); 0.82 of
@@ -66,6 +69,7 @@ class PoissonScatter {
   std::uint64_t seed_;
   double length_, smallest_, largest_;
   double share_ = initialShare;
+  std::function<void()> meanwhile_;
   PointGrid grid_;
 };
 

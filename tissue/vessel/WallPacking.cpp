@@ -62,12 +62,14 @@ Index countExpelled(const Wall& wall) {
 
 }  // namespace
 
-Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed) {
+Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed,
+                 const std::function<void()>& meanwhile) {
   const AgentCounts counts = countAgents(vessel, shape);
   Wall wall = emptyWall(vessel);
   const double widest = radiusCut * vessel.radiusSpread * vessel.cellRadius;
   PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), vessel.cellRadius - widest,
                          vessel.cellRadius + widest);
+  scatter.callMeanwhile(meanwhile);
   wall.agents.reserve(counts.total());
   const auto add = [&](AgentKind kind, Index count, const SurfaceFromAxis& from, const SurfaceFromAxis& to) {
     scatter.add(
@@ -86,10 +88,10 @@ Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechani
 }
 
 Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
-              std::uint64_t seed, PackingReport* report) {
+              std::uint64_t seed, PackingReport* report, const std::function<void()>& meanwhile) {
   PackingReport done;
   done.counts = countAgents(vessel, shape);
-  Wall wall = scatterWall(vessel, shape, seed);
+  Wall wall = scatterWall(vessel, shape, seed, meanwhile);
   orderInSpace(wall);
 
   // Packing always runs to equilibrium, and below the scene's tolerance, so that a wall at rest is at rest
@@ -101,6 +103,7 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   settings.maximumIterations = std::max<std::int64_t>(mechanics.maximumIterations, 20000);
   settings.stopAtMaximum = false;
   Relaxation relaxation(settings, vessel.cellRadius);
+  relaxation.callMeanwhile(meanwhile);
   const auto relax = [&](std::span<const Constraint* const> constraints) {
     try {
       return relaxation.relax(wall.agents, wall.bonds, constraints);

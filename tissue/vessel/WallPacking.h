@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "AgentCounts.h"
 #include "MechanicsParameters.h"
@@ -13,8 +14,9 @@ namespace restenosis {
 
 /// Places the agents of a wall at random, no two nearer than a share of the sum of their radii (a Poisson
 /// disc), in this shape. Not in equilibrium. Radii are normal about the mean, cut at three standard
-/// deviations.
-Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed);
+/// deviations. `meanwhile` is called again and again, and may throw to give up.
+Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::uint64_t seed,
+                 const std::function<void()>& meanwhile = {});
 
 /// What packing did.
 struct PackingReport {
@@ -35,9 +37,10 @@ struct PackingReport {
 /// A wall in equilibrium: scattered, relaxed with the laminae sliding on their surfaces, bonded with every
 /// bond at rest, released, relaxed again, ends fixed, ordered in space. What little load the bonds then carry
 /// is the packing's pressure on the laminae. The same for any number of threads. Throws RelaxationFailed
-/// where it does not reach equilibrium.
+/// where it does not reach equilibrium. `meanwhile` is called again and again, and may throw to give up.
 Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
-              std::uint64_t seed, PackingReport* report = nullptr);
+              std::uint64_t seed, PackingReport* report = nullptr,
+              const std::function<void()>& meanwhile = {});
 /// The same around a cylinder.
 Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
               PackingReport* report = nullptr);

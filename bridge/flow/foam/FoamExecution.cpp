@@ -51,6 +51,7 @@ void setOpenMpiDefaults(ExternalProgram& mpirun) {
 class SharedFiles {
  public:
   SharedFiles(ExternalProgram& mpirun, const fs::path& folder) : folder_(folder / name) {
+    fs::remove_all(folder_);  // of a run that was killed
     fs::create_directory(folder_);
     const std::string seen = std::string("/proc/self/cwd/") + name;  // short, and without odd characters
     mpirun.setEnvironment("OMPI_MCA_orte_tmpdir_base", seen);

@@ -62,7 +62,7 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
     throw FlowFailed(missingProgramText(missing.program), {});
   } catch (const std::runtime_error& error) {
     requireRoomAfter(program);
-    throw FlowFailed(fmt::format("{}: {}", program, error.what()), log(program));
+    throw FlowFailed(fmt::format("{}: {}", program, error.what()), {});  // not started: there is no log
   }
   (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) += exit.seconds;
   if (exit.interrupted())
