@@ -18,6 +18,26 @@ std::string chosenInterpreter() {
   return chosen != nullptr && *chosen != '\0' ? chosen : "/usr/bin/python3";
 }
 
+/// A folder to run in, where what is kept from run to run is this run's alone, and no file of the user's
+/// lies; gone with this object.
+class OwnFolder {
+ public:
+  explicit OwnFolder(const fs::path& path) : path_(fs::absolute(path)) {
+    fs::remove_all(path_);  // of a run that was killed
+    fs::create_directory(path_);
+  }
+  ~OwnFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 /// The last line of a log that is not empty: where a Python program says what went wrong.
 std::string lastLine(const fs::path& log) {
   std::ifstream stream(log);
@@ -38,11 +58,17 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
   const fs::path log = results / "figures.log";
   std::string reason;
   try {
-    // -B: no compiled files beside the script, which lies in the user's source tree.
-    const ProgramExit end = ExternalProgram(interpreter_)
-                                .stopWhen(stopRequested)
-                                .stopAfter(limit_)
-                                .run({"-B", script_.string(), results.string()}, fs::current_path(), log);
+    const OwnFolder own(results / ".figures");
+    ExternalProgram python(interpreter_);
+    python.stopWhen(stopRequested).stopAfter(limit_);
+    for (const char* variable : {"MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+      python.setEnvironment(variable, own.path());
+    python.withoutEnvironment(
+        [](std::string_view variable) { return variable == "MATPLOTLIBRC" || variable.starts_with("MPL"); });
+    // -I: nothing that the user has set or installed for other programs; -B: no compiled files beside the
+    // script, which lies in the user's source tree
+    const ProgramExit end =
+        python.run({"-I", "-B", "-X", "utf8", fs::absolute(script_), fs::absolute(results)}, own.path(), log);
     if (end.interrupted()) return "pictures were given up: interrupted";
     if (end.late)
       return fmt::format("pictures were given up after {} s; see {}", limit_.count(), log.string());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "EnvironmentVariable.h"
 #include "Figures.h"
 #include "Process.h"
 #include "SyntheticResults.h"
@@ -41,6 +42,53 @@ TEST(Figures, DrawsEveryPictureAndPutsAllOnOnePage) {
   EXPECT_NE(page.find("neointimaThickness_um"), std::string::npos);
   EXPECT_NE(page.find("peak memory"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+}
+
+TEST(Figures, AreDrawnWhateverTheUserHasSetForOtherPrograms) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder, home, path;
+  fs::create_directory(folder / "results");
+  SyntheticResults().write(folder / "results");
+  const std::string broken = "text.usetex: True\nbackend: none\n\xff";
+  fs::create_directories(home / ".config/matplotlib");
+  for (const fs::path& file : {home / ".config/matplotlib/matplotlibrc", home / "matplotlibrc"})
+    writeText(file, broken);
+  for (const char* module : {"numpy", "matplotlib", "json"}) {
+    writeText(path / (std::string(module) + ".py"), "raise ImportError('of the user')\n");
+    writeText(home / (std::string(module) + ".py"), "raise ImportError('of the working folder')\n");
+  }
+  const EnvironmentVariable home_("HOME", home.path().c_str()), pythonPath("PYTHONPATH", path.path().c_str()),
+      pythonHome("PYTHONHOME", "/nonexistent"), start("PYTHONSTARTUP", "/nonexistent"),
+      settings("MATPLOTLIBRC", (home / "matplotlibrc").c_str()), backend("MPLBACKEND", "none"),
+      configuration("MPLCONFIGDIR", "/nonexistent"), locale("LC_ALL", "C"), display("DISPLAY", ":4711");
+  const fs::path before = fs::current_path();
+  fs::current_path(home.path());
+  EXPECT_EQ(Figures().draw(folder / "results"), "") << readText(folder / "results/figures.log");
+  fs::current_path(before);
+  for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html"})
+    EXPECT_TRUE(fs::exists(folder / "results" / name)) << name;
+  EXPECT_FALSE(fs::exists(folder / "results/.figures"));
+  EXPECT_FALSE(fs::exists(home / ".cache")) << "nothing is left with the user";
+}
+
+TEST(Figures, ThePageIsWrittenWithoutPicturesThatCannotBeDrawn) {
+  TemporaryFolder folder;
+  fs::create_directory(folder / "results");
+  SyntheticResults().write(folder / "results");
+  writeText(folder / "results/growth.png", "of a former day");
+  // Without the packages of Debian
+  writeText(folder / "python", "#!/bin/sh\nexec /usr/bin/python3 -S \"$@\"\n");
+  fs::permissions(folder / "python", fs::perms::owner_all);
+  const fs::path script = RESTENOSIS_SOURCE_DIR "/bridge/output/figures";
+  const auto problem = Figures(folder / "python", script, 60s).draw(folder / "results");
+  EXPECT_NE(problem.find("install the package python3-numpy (No module named 'numpy')"), std::string::npos)
+      << problem;
+  EXPECT_NE(problem.find("figures.log"), std::string::npos) << problem;
+  const auto page = readText(folder / "results/report.html");
+  EXPECT_NE(page.find("neointimaThickness_um"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos) << "a picture of another state";
   EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 

@@ -1,97 +1,137 @@
 """Draws the pictures of a results folder of restenosisFoam.
 
-    /usr/bin/python3 bridge/output/figures RESULTS
+    /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
 
 Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, beside what they are drawn from, and report.html, one page with
-all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. Needs Debian's
-python3-matplotlib and python3-vtk9, and xvfb where there is no display. Exit status 0 when every picture that the
-results allow was drawn; otherwise the last line printed says what is missing.
+all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. With
+a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
+written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was drawn;
+otherwise the last line printed says what is missing.
+
+-I (isolated) keeps out what a user has set or installed for other programs: PYTHONPATH, PYTHONHOME, packages of their
+own.
 """
 
+import importlib
 import subprocess
 import sys
+import traceback
 from pathlib import Path
 
+import report
+from nothing_to_draw import NothingToDraw
+
 PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "vtkmodules": "python3-vtk9"}
+PICTURES = {
+    "growth.png": ("growth", "draw"),
+    "lumen.png": ("lumen", "draw"),
+    "section.png": ("section", "draw"),
+    "compareMaps.png": ("compare", "draw_maps"),
+    "compareScatter.png": ("compare", "draw_scatter"),
+    "tradeoff.png": ("tradeoff", "draw"),
+    "lumen3d.png": ("lumen3d", "draw"),
+}
+IN_SPACE = "lumen3d.png"
+DEBIANS_PYTHON = "/usr/bin/python3"
 
 
-def missing_package():
-    """The Debian package of the first module that cannot be imported, and the interpreter's own words."""
+def obstacle():
+    """What keeps every picture from being drawn: the first module that is missing, or that cannot be imported."""
     for module, package in PACKAGES.items():
         try:
-            __import__(module)
-        except ImportError as error:
-            return package, error
+            importlib.import_module(module)
+        except ModuleNotFoundError as error:
+            if error.name != module:
+                return f"{module} cannot be imported ({error})"
+            if Path(sys.executable).resolve() != Path(DEBIANS_PYTHON).resolve():
+                return f"{sys.executable} has no module {module}"
+            return f"install the package {package} ({error})"
+        except Exception as error:  # of another version, or not whole
+            return f"{module} cannot be imported ({error})"
     return None
 
 
-def draw(folder):
-    """Draws every picture; returns what went wrong, one line for each picture that was not drawn."""
+def draw(folder, name):
+    """Draws a picture of the folder."""
     import matplotlib
 
     matplotlib.use("Agg")
-    import compare
-    import growth
-    import lumen
-    import report
-    import results
-    import section
-    import tradeoff
-
-    problems = []
-    drawn = []
-    for name, picture in (
-        ("growth.png", growth.draw),
-        ("lumen.png", lumen.draw),
-        ("section.png", section.draw),
-        ("compareMaps.png", compare.draw_maps),
-        ("compareScatter.png", compare.draw_scatter),
-        ("tradeoff.png", tradeoff.draw),
-    ):
-        try:
-            picture(folder, folder / name)
-            drawn.append(name)
-        except results.NothingToDraw as reason:
-            print(f"{name}: {reason}")
-    if (folder / "lumen.pvd").exists():
-        if problem := draw_in_space(folder):
-            problems.append(f"lumen3d.png: {problem}")
-        else:
-            drawn.append("lumen3d.png")
-    try:
-        report.write(folder, folder / "report.html")
-    except results.NothingToDraw as reason:
-        print(f"report.html: {reason}")
-    if not drawn:
-        problems.append(f"{folder} holds no results to draw")
-    return problems
+    matplotlib.rcdefaults()  # whatever the user has set for other figures
+    matplotlib.rcParams["text.parse_math"] = False  # names are text, whatever is in them
+    module, function = PICTURES[name]
+    getattr(importlib.import_module(module), function)(folder, folder / name)
 
 
 def draw_in_space(folder):
     """Draws lumen3d.png in a process of its own: where graphics are broken, rendering can end its process."""
     import virtual_display
 
-    script = Path(__file__).parent / "lumen3d.py"
+    command = [sys.executable, "-I", "-B", "-X", "utf8", str(Path(__file__).parent), str(folder), IN_SPACE]
+    problem = "there is no display; install the package xvfb"
+    for environment in virtual_display.environments():
+        with environment as variables:
+            if variables is None:
+                problem = "the virtual display of the package xvfb does not start"
+                continue
+            status = subprocess.run(command, check=False, env=variables).returncode
+        if status == 0:
+            return None
+        problem = f"the rendering process ended with status {status}"
+    return problem
+
+
+def draw_all(folder):
+    """Draws every picture; returns what went wrong, one line for each picture that was not drawn."""
+    problems = []
+    drawn = []
+    for name in PICTURES:
+        if name == IN_SPACE and not (folder / "lumen.pvd").exists():
+            continue
+        try:
+            problem = draw_in_space(folder) if name == IN_SPACE else draw(folder, name)
+        except NothingToDraw as reason:
+            print(f"{name}: {reason}")
+            continue
+        except Exception as error:
+            traceback.print_exc()
+            problem = f"{type(error).__name__}: {error}"
+        if problem:
+            problems.append(f"{name}: {problem}")
+        else:
+            drawn.append(name)
+    if not drawn and not problems:
+        problems.append(f"{folder} holds no results to draw")
+    return problems
+
+
+def write_page(folder):
+    """Writes report.html; returns why not, where that was not for want of a run."""
     try:
-        with virtual_display.environment() as environment:
-            command = [sys.executable, "-B", str(script), str(folder)]
-            status = subprocess.run(command, check=False, env=environment).returncode
-    except virtual_display.NoDisplay as reason:
-        return str(reason)
-    return f"the rendering process ended with status {status}" if status != 0 else None
+        report.write(folder, folder / "report.html")
+    except NothingToDraw as reason:
+        print(f"report.html: {reason}")
+    except Exception as error:
+        traceback.print_exc()
+        return [f"report.html: {type(error).__name__}: {error}"]
+    return []
 
 
 def main():
-    if len(sys.argv) != 2:
-        print("usage: figures RESULTS", file=sys.stderr)
+    if len(sys.argv) not in (2, 3):
+        print("usage: figures RESULTS [PICTURE]", file=sys.stderr)
         return 2
-    missing = missing_package()
-    if missing:
-        print(f"install the package {missing[0]} ({missing[1]})", file=sys.stderr)
-        return 1
-    problems = draw(Path(sys.argv[1]))
+    folder = Path(sys.argv[1])
+    if len(sys.argv) == 3:
+        draw(folder, sys.argv[2])
+        return 0
+    for name in PICTURES:
+        (folder / name).unlink(missing_ok=True)  # of an earlier state
+    missing = obstacle()
+    problems = [missing] if missing else draw_all(folder)
+    problems += write_page(folder)
     if problems:
-        print("; ".join(problems), file=sys.stderr)
+        sys.stdout.flush()  # so that in a log of both this is the last line
+        print("; ".join(problems).replace("\n", " "), file=sys.stderr)
         return 1
     return 0
 

@@ -1,14 +1,9 @@
 """lumen3d.png: the lumen in space on several days, opened along its axis if it has one, coloured by wall shear stress.
 
-Run by itself, with a display: lumen3d.py RESULTS.
+Needs a display.
 """
 
-import sys
-from pathlib import Path
-
 import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import results
@@ -148,7 +143,3 @@ def draw(folder, path):
     figure.colorbar(colours, ax=axes, label=label, shrink=0.8, pad=0.01, extend="max")
     style.save(figure, path)
     plt.close(figure)
-
-
-if __name__ == "__main__":
-    draw(Path(sys.argv[1]), Path(sys.argv[1]) / "lumen3d.png")

@@ -4,7 +4,7 @@ import base64
 import html
 import json
 
-from results import NothingToDraw
+from nothing_to_draw import NothingToDraw
 
 PICTURES = {
     "growth.png": "Neointima, lumen, coverage and wall shear stress over the days. "

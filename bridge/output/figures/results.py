@@ -5,12 +5,9 @@ import tomllib
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+from nothing_to_draw import NothingToDraw
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
-class NothingToDraw(Exception):
-    """The results do not hold what a picture shows: a scene without tissue has no cells to draw."""
-
 
 KINDS = {"smc": 0, "iel": 1, "eel": 2, "strut": 3}
 
