@@ -40,12 +40,13 @@ struct CompareArguments {
   int threads = 0;
   int ranks = 1;
   bool ofResults() const { return fs::is_directory(scene.file); }
+  bool writesIntoResults() const { return folder.empty() && ofResults(); }
 };
 
 fs::path outputFolder(const CompareArguments& arguments, const std::string& name) {
   if (!arguments.folder.empty()) return arguments.folder;
-  return arguments.ofResults() ? fs::path(arguments.scene.file) / "compare"
-                               : fs::path("results") / (name + "-compare");
+  return arguments.writesIntoResults() ? fs::path(arguments.scene.file) / "compare"
+                                       : fs::path("results") / (name + "-compare");
 }
 
 void print(const FlowComparison& c, const SolvedFlow& reference, const SolvedFlow& other) {
@@ -97,7 +98,11 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
     throw FlowFailed(missing, {});
   if (const std::string missing = missingFoamTemplate(); !missing.empty()) throw FlowFailed(missing, {});
-  createOutputFolder(folder);
+  // A run that starts in these results would move the comparison aside
+  std::optional<ResultsFolder> compared;
+  if (arguments.writesIntoResults() && ResultsFolder::isMarked(arguments.scene.file))
+    compared.emplace(ResultsFolder::existing(arguments.scene.file));
+  const auto results = ResultsFolder::forOutput(folder);
   removeFormerComparison(folder);
   const std::atomic<bool>* const stopRequested = &stopOnSignals();
   const int threads = threadCount(arguments.threads);

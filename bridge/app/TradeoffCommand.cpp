@@ -53,7 +53,7 @@ void nameFiles(const fs::path& folder) {
 
 int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path& folder,
           const std::vector<SweptSetting>& settings, const std::vector<std::vector<Scene>>& scenes) {
-  createOutputFolder(folder);
+  const auto results = ResultsFolder::forOutput(folder);
   const TradeoffOptions options{
       .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
   omp_set_num_threads(options.threads);

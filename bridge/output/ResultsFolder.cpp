@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
-#include <fstream>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "AtomicFile.h"
+#include "FormerRun.h"
 #include "SecondsPerDay.h"
 
 namespace restenosis {
@@ -27,19 +27,6 @@ namespace {
 
 /// Marks a results folder as this program's; the lock is on it.
 constexpr const char* marker = ".restenosisFoam";
-constexpr const char* previous = "previous";
-
-bool writtenByRun(const fs::path& name) {
-  static constexpr std::array<std::string_view, 19> names{
-      "scene.toml",   "timeSeries.csv", "profile.csv", "thicknessMap.csv",
-      "summary.json", "tissue.pvd",     "lumen.pvd",   "tissue",
-      "lumen",        "flow",           "checkpoint",  "report.html",
-      "figures.log",  "compare.json",   "growth.png",  "lumen.png",
-      "section.png",  "lumen3d.png",    "compare"};
-  const auto text = name.string();
-  const auto whole = text.ends_with(".partial") ? text.substr(0, text.size() - 8) : text;
-  return std::ranges::find(names, whole) != names.end();
-}
 
 [[noreturn]] void refuseUnreadable(const fs::path& folder, const std::error_code& why) {
   throw FolderRefused(
@@ -70,27 +57,39 @@ std::string firstEntry(const fs::path& folder) {
   return first;
 }
 
-/// Whether the run in this folder got as far as a row of its time series.
-bool hasRecorded(const fs::path& folder) {
-  std::ifstream series(folder / "timeSeries.csv");
-  std::string header, row;
-  return std::getline(series, header) && std::getline(series, row);
+/// Opens the marker, made where it is not there.
+int openMarker(const fs::path& folder) {
+  const auto file = folder / marker;
+  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (handle >= 0) return handle;
+  if (errno == ELOOP)
+    throw FolderRefused(
+        fmt::format("{} is a link: remove it, or choose another folder with -o", file.string()));
+  throw FolderRefused(fmt::format("cannot write into {}: {}: choose another folder with -o", folder.string(),
+                                  std::strerror(errno)));
 }
 
-/// Returns whether there was one.
-bool movePreviousRun(const fs::path& folder) {
-  std::vector<fs::path> former;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (writtenByRun(entry.path().filename())) former.push_back(entry.path());
-  if (former.empty()) return false;
-  if (hasRecorded(folder / previous) && !hasRecorded(folder)) {
-    for (const auto& path : former) fs::remove_all(path);
-    return true;
+/// Does what moves a former run aside. Throws WriteFailed.
+void movingAside(const fs::path& folder, const std::function<void()>& move) {
+  try {
+    move();
+  } catch (const fs::filesystem_error& error) {
+    const int number = error.code().value();
+    throw WriteFailed(fmt::format("cannot move the former run in {} aside: {}{}", folder.string(),
+                                  error.what(),
+                                  isForWantOfRoom(number) ? ": make room and start again" : ""));
   }
-  fs::remove_all(folder / previous);
-  fs::create_directory(folder / previous);
-  for (const auto& path : former) fs::rename(path, folder / previous / path.filename());
-  return true;
+}
+
+/// Links that lead elsewhere: to write through them, or to delete what is behind them, is not this program's.
+void refuseLinkedFolders(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!isNameOfResultFolder(entry.path().filename()) || !entry.is_symlink()) continue;
+    throw FolderRefused(
+        fmt::format("{} is a link, and links among results are not followed: put the folder itself there, or "
+                    "choose another folder with -o",
+                    entry.path().string()));
+  }
 }
 
 }  // namespace
@@ -108,22 +107,18 @@ void createOutputFolder(const fs::path& folder) {
         "folder with -o, or empty this one",
         folder.string(), firstEntry(folder)));
   }
-  std::ofstream mark(folder / marker);
+  ::close(openMarker(folder));
 }
 
 int ResultsFolder::acquireLock(const fs::path& folder) {
-  const auto file = folder / marker;
-  const int lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock < 0)
-    throw FolderRefused(fmt::format("cannot write into {}: {}: choose another folder with -o",
-                                    folder.string(), std::strerror(errno)));
+  const int lock = openMarker(folder);
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     std::array<char, 32> owner{};
     const auto read = ::read(lock, owner.data(), owner.size() - 1);
     ::close(lock);
     if (error != EWOULDBLOCK)
-      throw WriteFailed(fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
+      throw WriteFailed(fmt::format("cannot lock {}: {}", (folder / marker).string(), std::strerror(error)));
     throw FolderRefused(
         fmt::format("another run{} is writing into {}: wait for it, or choose another folder with -o",
                     read > 0 ? fmt::format(" (process {})", owner.data()) : "", folder.string()));
@@ -133,14 +128,20 @@ int ResultsFolder::acquireLock(const fs::path& folder) {
       ::pwrite(lock, owner.data(), owner.size(), 0) != static_cast<ssize_t>(owner.size())) {
     const int error = errno;
     ::close(lock);
-    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), std::strerror(error)));
+    throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), writeFailureReason(error)));
   }
   return lock;
 }
 
-ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
+ResultsFolder ResultsFolder::forOutput(const fs::path& folder) {
   createOutputFolder(folder);
-  ResultsFolder results(folder, acquireLock(folder));
+  return ResultsFolder(folder, acquireLock(folder));
+}
+
+bool ResultsFolder::isMarked(const fs::path& folder) { return isThere(folder, marker); }
+
+ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
+  ResultsFolder results = forOutput(folder);
   results.moveFormerRun();
   return results;
 }
@@ -149,16 +150,13 @@ bool ResultsFolder::holdsAsResult(const fs::path& folder, const fs::path& file) 
   const fs::path within = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
   if (within.empty()) return false;
   const fs::path& first = *within.begin();
-  return first == previous || writtenByRun(first);
+  return isNameOfFormerRun(first) || isNameOfResult(first);
 }
 
 bool ResultsFolder::moveFormerRun() const {
-  try {
-    return movePreviousRun(folder_);
-  } catch (const fs::filesystem_error& error) {
-    throw WriteFailed(
-        fmt::format("cannot move the former run in {} aside: {}", folder_.string(), error.what()));
-  }
+  bool moved = false;
+  movingAside(folder_, [&] { moved = moveRunAside(folder_); });
+  return moved;
 }
 
 ResultsFolder ResultsFolder::existing(const fs::path& folder) {
@@ -166,7 +164,10 @@ ResultsFolder ResultsFolder::existing(const fs::path& folder) {
     throw FolderRefused(fmt::format("there is no folder {}", folder.string()));
   if (!isThere(folder, marker))
     throw FolderRefused(fmt::format("{} is not a results folder of restenosisFoam", folder.string()));
-  return ResultsFolder(folder, acquireLock(folder));
+  ResultsFolder results(folder, acquireLock(folder));
+  movingAside(folder, [&] { finishMovingAside(folder); });
+  refuseLinkedFolders(folder);
+  return results;
 }
 
 ResultsFolder ResultsFolder::resumed(const fs::path& folder) {
@@ -194,13 +195,8 @@ void ResultsFolder::removeFlowCases(Unwanted&& unwanted) const {
   if (!fs::is_directory(folder_ / "flow")) return;
   std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(folder_ / "flow")) {
-    const fs::path& path = entry.path();
-    // A killed run may leave what copyFoamTemplate was filling
-    const std::string name = path.extension() == ".partial" ? path.stem() : path.filename();
-    double day = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), day);
-    const bool isDay = error == std::errc() && end == name.data() + name.size();
-    if (isDay && unwanted(path, day)) found.push_back(path);
+    const auto day = dayOfFlowCase(entry.path());
+    if (day && unwanted(entry.path(), *day)) found.push_back(entry.path());
   }
   for (const fs::path& folder : found) fs::remove_all(folder);
 }

@@ -22,8 +22,12 @@ void createOutputFolder(const std::filesystem::path& folder);
 /// two runs write into one folder (the system releases the lock when the process ends in any way).
 ///
 /// A fresh run into a results folder of this program moves the former run's files to `previous/`, replacing
-/// what is there, and leaves every other file alone; a former run that has recorded nothing does not replace
-/// one that has, but is deleted. A folder with files, but without a run of this program, is refused.
+/// the run that is there, and leaves every other file alone; a former run that has recorded nothing does not
+/// replace one that has, but is deleted. A move that was cut short is finished by whoever uses the folder
+/// next. A folder with files, but without a run of this program, is refused.
+///
+/// Symbolic links among the results are not followed: where a folder of results is one, the results folder is
+/// refused, and a file that is one is replaced. The results folder itself may be a link.
 class ResultsFolder {
  public:
   /// For a new run: creates the folder, or clears it of the former run. Throws FolderRefused, also where the
@@ -35,6 +39,12 @@ class ResultsFolder {
   /// For a run to go on with, which may have been killed before it made its folder: the same, but a folder
   /// that is not there, or empty, is that of a new run.
   static ResultsFolder resumed(const std::filesystem::path& folder);
+  /// For other results than a run's, which lie beside it or in a folder of their own: createOutputFolder, and
+  /// the lock.
+  static ResultsFolder forOutput(const std::filesystem::path& folder);
+
+  /// Whether a folder is marked as one of results.
+  static bool isMarked(const std::filesystem::path& folder);
 
   /// Whether a file is part of the results in `folder`, which a new run moves aside or removes.
   static bool holdsAsResult(const std::filesystem::path& folder, const std::filesystem::path& file);

@@ -15,12 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Opens a file that is not there: what a killed run has left of it is removed, and so is a link, which would
+/// lead elsewhere. Returns its descriptor, or -1 and `errno`.
+int createAnew(const fs::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) return -1;
+  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
 /// A file being written; closed and removed unless `commit` is reached.
 class PartialFile {
  public:
   explicit PartialFile(fs::path target) : target_(std::move(target)), partial_(target_) {
     partial_ += ".partial";
-    file_ = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    file_ = createAnew(partial_);
     if (file_ < 0) fail("create");
   }
   PartialFile(const PartialFile&) = delete;
@@ -49,7 +56,7 @@ class PartialFile {
     if (::close(file) != 0) fail("write");
     if (::rename(partial_.c_str(), target_.c_str()) != 0) fail("replace");
     committed_ = true;
-    flushFolder();
+    flushFolder(target_.parent_path());
   }
 
  private:
@@ -66,15 +73,6 @@ class PartialFile {
 
   [[noreturn]] void fail(const char* what) const {
     throw WriteFailed(fmt::format("cannot {} {}: {}", what, target_.string(), writeFailureReason(errno)));
-  }
-
-  /// Makes the rename itself survive a power cut; file systems that cannot do it are left alone.
-  void flushFolder() const {
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (handle < 0) return;
-    ::fsync(handle);
-    ::close(handle);
   }
 
   fs::path target_, partial_;
@@ -102,10 +100,21 @@ void atomicWrite(const fs::path& file, std::string_view text) {
   atomicWrite(file, [text](const PieceWriter& write) { write(text); });
 }
 
+void flushFolder(const fs::path& folder) {
+  const fs::path named = folder.empty() ? fs::path(".") : folder;
+  const int handle = ::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;  // it may be written into, but not be read
+  const int error = ::fsync(handle) != 0 ? errno : 0;
+  ::close(handle);
+  const bool unknownHere = error == EINVAL || error == ENOTSUP || error == ENOSYS;
+  if (error != 0 && !unknownHere)
+    throw WriteFailed(fmt::format("cannot write into {}: {}", named.string(), writeFailureReason(error)));
+}
+
 void requireRoom(const fs::path& folder) {
   static constexpr std::size_t tried = 65536;
   const fs::path file = folder / ".room";
-  const int handle = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int handle = createAnew(file);
   int error = handle < 0 ? errno : 0;
   if (handle >= 0) {
     const std::string text(tried, '\0');

@@ -24,11 +24,15 @@ using PieceWriter = std::function<void(std::string_view)>;
 
 /// Replaces `file` by the pieces that `content` hands over, one after the other, so that a reader, or a run
 /// killed at any moment, finds either the old content or the new one: written to `<file>.partial`, flushed to
-/// the disk, renamed, and the folder flushed. On failure (disk full, no permission, an exception of
-/// `content`) the old file stays as it was, the partial one is removed; WriteFailed is thrown, or the
-/// exception passed on.
+/// the disk, renamed, and the folder flushed. A symbolic link is replaced, not followed. On failure (disk
+/// full, no permission, an exception of `content`) the old file stays as it was, the partial one is removed;
+/// WriteFailed is thrown, or the exception passed on.
 void atomicWrite(const std::filesystem::path& file, const std::function<void(const PieceWriter&)>& content);
 void atomicWrite(const std::filesystem::path& file, std::string_view text);
+
+/// Makes what has been created, renamed and removed in a folder survive a power cut; file systems that cannot
+/// do it are left alone. Throws WriteFailed.
+void flushFolder(const std::filesystem::path& folder);
 
 /// Tries whether a folder has room for a file of 64 KiB, which it removes again: throws WriteFailed where
 /// disk, quota or size limit are used up. For those who wonder why a program failed there that does not say.

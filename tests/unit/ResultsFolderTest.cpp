@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 
 #include "AtomicFile.h"
 #include "ResultsFolder.h"
@@ -108,6 +109,136 @@ TEST(ResultsFolder, KeepsTheLastRunThatRecordedAnythingAndPicturesOfTheUser) {
   EXPECT_EQ(readText(folder / "quick/previous/scene.toml"), "second");
   EXPECT_EQ(readText(folder / "quick/mine.png"), "mine");
   EXPECT_FALSE(results.moveFormerRun());
+}
+
+/// A results folder with a finished run and a former one in `previous/`, and the user's files in both.
+class FinishedTwice : public ::testing::Test {
+ protected:
+  FinishedTwice() {
+    for (const char* run : {"first", "second"}) {
+      const auto results = ResultsFolder::fresh(quick);
+      for (const char* inner : {"tissue/tissue_000000.vtp", "flow/3.5/system/controlDict", "scene.toml",
+                                "timeSeries.csv", "summary.json", "checkpoint/state.bin"}) {
+        fs::create_directories((quick / inner).parent_path());
+        writeText(quick / inner, std::string(run) + "\nrow\n");
+      }
+    }
+    for (const char* users : {"notes.md", "flow/mine/U", "previous/notes.md", "previous/mine/a/b",
+                              "previous/flow/mine/U", "previous/tissue/my.vtp"}) {
+      fs::create_directories((quick / users).parent_path());
+      writeText(quick / users, users);
+    }
+  }
+  /// Whether the second run is in `previous/` as a whole, and all of the user's files are somewhere in it.
+  void expectMoved() const {
+    for (const char* inner : {"tissue/tissue_000000.vtp", "flow/3.5/system/controlDict", "scene.toml",
+                              "timeSeries.csv", "summary.json", "checkpoint/state.bin"}) {
+      EXPECT_EQ(readText(quick / "previous" / inner), "second\nrow\n") << inner;
+      EXPECT_FALSE(fs::exists(quick / inner)) << inner;
+    }
+    for (const char* users : {"notes.md", "previous/notes.md", "previous/mine/a/b", "previous/tissue/my.vtp"})
+      EXPECT_EQ(readText(quick / users), users);
+    EXPECT_EQ(readText(quick / "previous/flow/mine/U"), "flow/mine/U");
+    EXPECT_EQ(readText(quick / "previous/flow/mine.previous/U"), "previous/flow/mine/U");
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(quick)) names.insert(entry.path().filename());
+    EXPECT_EQ(names, (std::set<std::string>{".restenosisFoam", "notes.md", "previous"}));
+  }
+
+  TemporaryFolder folder;
+  const fs::path quick = folder / "quick";
+};
+
+TEST_F(FinishedTwice, TheUsersFilesInThePreviousRunStay) {
+  ResultsFolder::fresh(quick);
+  expectMoved();
+}
+
+TEST_F(FinishedTwice, AMoveCutShortIsFinishedByTheNext) {
+  fs::create_directory(quick / "previous.partial");
+  for (const char* moved : {"timeSeries.csv", "flow", "summary.json"})
+    fs::rename(quick / moved, quick / "previous.partial" / moved);
+  ResultsFolder::existing(quick);
+  expectMoved();
+}
+
+TEST_F(FinishedTwice, AMoveCutShortBetweenItsLastRenamesIsFinishedToo) {
+  fs::create_directory(quick / "previous.partial");
+  for (const char* moved : {"timeSeries.csv", "flow", "summary.json", "scene.toml", "tissue", "checkpoint"})
+    fs::rename(quick / moved, quick / "previous.partial" / moved);
+  fs::rename(quick / "previous", quick / "previous.replaced");
+  {
+    SCOPED_TRACE("before the new run is there");
+    fs::copy(quick, folder / "before", fs::copy_options::recursive);
+    ResultsFolder::fresh(quick);
+    expectMoved();
+  }
+  fs::remove_all(quick);
+  fs::rename(folder / "before", quick);
+  fs::rename(quick / "previous.partial", quick / "previous");
+  SCOPED_TRACE("before the replaced one is gone");
+  fs::remove(quick / "previous.replaced/summary.json");
+  ResultsFolder::fresh(quick);
+  expectMoved();
+}
+
+TEST_F(FinishedTwice, LinksAreNotFollowed) {
+  fs::create_directory(folder / "important");
+  const auto important = [&](const std::string& name) {
+    const fs::path file = folder / "important" / name;
+    if (!fs::exists(file)) writeText(file, name);
+    return file;
+  };
+  const auto replace = [&](const std::string& name, const fs::path& target) {
+    fs::remove_all(quick / name);
+    fs::create_symlink(target, quick / name);
+  };
+  for (const char* name : {"summary.json", "flow/3.5", "tissue/tissue_000000.vtp"})
+    replace(name, important(fs::path(name).filename()));
+  for (const char* name : {"flow", "checkpoint", "tissue", "lumen", "compare"}) {
+    SCOPED_TRACE(name);
+    if (fs::exists(quick / name)) fs::rename(quick / name, quick / "aside");
+    replace(name, folder / "important");
+    const auto message = refusal([&] { ResultsFolder::existing(quick); });
+    EXPECT_NE(message.find((quick / name).string() + " is a link"), std::string::npos) << message;
+    fs::remove(quick / name);
+    if (fs::exists(quick / "aside")) fs::rename(quick / "aside", quick / name);
+  }
+  const auto results = ResultsFolder::existing(quick);
+  atomicWrite(results.summary(), "mine");
+  EXPECT_EQ(readText(quick / "summary.json"), "mine");
+  replace("profile.csv.partial", important("partial"));
+  atomicWrite(results.profile(), "mine");
+  results.removeFlowCasesAfter(std::nullopt);
+  EXPECT_FALSE(fs::is_symlink(quick / "flow/3.5"));
+
+  replace("flow", folder / "important");
+  replace("previous/flow", folder / "important");
+  EXPECT_TRUE(results.moveFormerRun());
+  EXPECT_TRUE(fs::is_symlink(quick / "previous/flow"));
+  replace("previous", folder / "important");
+  replace("previous.partial", folder / "important");
+  writeText(quick / "timeSeries.csv", "day\n0\n");
+  EXPECT_TRUE(results.moveFormerRun());
+  EXPECT_TRUE(fs::exists(quick / "previous/timeSeries.csv"));
+  EXPECT_FALSE(fs::is_symlink(quick / "previous"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "important"), {}), 4);
+  for (const char* name : {"summary.json", "3.5", "tissue_000000.vtp", "partial"})
+    EXPECT_EQ(readText(folder / "important" / name), name);
+}
+
+TEST(ResultsFolder, TheLockIsNotTakenThroughALink) {
+  TemporaryFolder folder;
+  ResultsFolder::fresh(folder / "quick");
+  writeText(folder / "important", "mine");
+  fs::remove(folder / "quick/.restenosisFoam");
+  fs::create_symlink(folder / "important", folder / "quick/.restenosisFoam");
+  EXPECT_NE(refusal([&] { ResultsFolder::fresh(folder / "quick"); }).find("is a link"), std::string::npos);
+  EXPECT_EQ(readText(folder / "important"), "mine");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "link");
+  fs::create_directory(folder / "elsewhere");
+  ResultsFolder::fresh(folder / "link");
+  EXPECT_TRUE(fs::exists(folder / "elsewhere/.restenosisFoam"));
 }
 
 TEST(ResultsFolder, KeepsEverythingForAResume) {
