@@ -28,4 +28,8 @@ if(RESTENOSIS_SANITIZE)
   add_compile_options(-Wno-maybe-uninitialized)
   add_link_options(-fsanitize=${RESTENOSIS_SANITIZE})
 endif()
+if(RESTENOSIS_FUZZ)
+  # Clang does not know the warnings of GCC that are switched off above.
+  add_compile_options(-fsanitize=fuzzer-no-link -Wno-unknown-warning-option)
+endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")

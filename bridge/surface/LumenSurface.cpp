@@ -64,7 +64,8 @@ std::array<Extent, 2> extentOfLumen(const BandField& field) {
 /// of nodes z = 0 and z = length.
 vtkNew<vtkImageData> paddedImage(const BandField& field, float clearance) {
   const LumenGrid& g = field.grid();
-  const auto [x, y] = extentOfLumen(field);
+  const std::array<Extent, 2> extent = extentOfLumen(field);
+  const Extent &x = extent[0], &y = extent[1];  // clang captures no structured binding in a parallel region
   vtkNew<vtkImageData> image;
   image->SetExtent(x.first, x.last, y.first, y.last, 0, g.nz + 1);
   const std::size_t plane = static_cast<std::size_t>(x.count()) * y.count();

@@ -205,7 +205,7 @@ StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit)
 
 void markEnds(TriSurface& surface, double length, double tolerance) {
   for (const auto& [z, region] : {std::pair{0.0, SurfaceRegion::inlet}, {length, SurfaceRegion::outlet}}) {
-    auto near = [&](std::uint32_t v) { return std::abs(surface.vertices[v].z() - z) <= tolerance; };
+    auto near = [&, z = z](std::uint32_t v) { return std::abs(surface.vertices[v].z() - z) <= tolerance; };
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const auto& c = surface.triangles[t];
       if (!near(c[0]) || !near(c[1]) || !near(c[2])) continue;

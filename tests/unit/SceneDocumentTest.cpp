@@ -57,6 +57,22 @@ TEST_F(SceneDocumentTest, KnowsWhereThingsStand) {
   EXPECT_EQ(scene.placeOf("missing", "key").file, "x.toml");
 }
 
+TEST_F(SceneDocumentTest, RefusesLettersOutsideOfQuotes) {
+  for (const char* letter : {"\u00df", "\u015a", "\u0499", "\u8840", "\u00a0", "\U0001fac0"}) {
+    for (const std::string& toml :
+         {fmt::format("[a]\nb = {}\n", letter), fmt::format("[a]\nb = 1 {}\n", letter),
+          fmt::format("[a]\n{} = 1\n", letter), fmt::format("[a]\nb = \"\"\"\\ {}\"\"\"\n", letter)}) {
+      diagnostics.clear();
+      EXPECT_TRUE(document(toml).broken()) << toml;
+      ASSERT_EQ(diagnostics.size(), 1u) << toml;
+      EXPECT_EQ(diagnostics[0].line, 2) << toml;
+    }
+    diagnostics.clear();
+    EXPECT_EQ(get<std::string>(document(fmt::format("[a]\nb = \"{}\" # {}\n", letter, letter)), "a", "b"),
+              letter);
+  }
+}
+
 TEST_F(SceneDocumentTest, NamesTheKindsNoKeyHas) {
   const auto scene = document("[a]\nlist = [1]\ntable = {b = 1}\nday = 2020-01-01\n[a.c]\n");
   EXPECT_TRUE(diagnostics.empty());

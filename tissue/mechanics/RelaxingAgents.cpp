@@ -103,7 +103,7 @@ void RelaxingAgents::advance() {
     look(begin, end, part);
     parts[begin / chunkSize] = part;
   });
-  sight_.emplace();
+  sight_.emplace(Sight());
   for (const Sight& part : parts) sight_->join(part);
 }
 

@@ -17,13 +17,16 @@ namespace {
 template <class T>
 std::vector<T> copied(std::string_view bytes) {
   std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;
 }
 
 }  // namespace
 
-FoamBinary::FoamBinary(const std::filesystem::path& file) : file_(file), text_(foamLog::read(file)) {
+FoamBinary::FoamBinary(const std::filesystem::path& file) : FoamBinary(file, foamLog::read(file)) {}
+
+FoamBinary::FoamBinary(const std::filesystem::path& file, std::string content)
+    : file_(file), text_(std::move(content)) {
   if (text_.empty()) fail("is missing or empty");
   skipPast("FoamFile");
   const auto end = text_.find('}', at_);

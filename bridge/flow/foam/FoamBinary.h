@@ -14,6 +14,8 @@ class FoamBinary {
   /// Throws std::runtime_error where the file cannot be read or its header does not say that it is binary
   /// with labels of 32 and numbers of 64 bits.
   explicit FoamBinary(const std::filesystem::path& file);
+  /// The same of a file's content; `file` is what messages name.
+  FoamBinary(const std::filesystem::path& file, std::string content);
 
   /// Goes on behind the first occurrence of these words. Throws std::runtime_error where there is none.
   void skipPast(std::string_view words);

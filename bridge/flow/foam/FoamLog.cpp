@@ -1,8 +1,11 @@
 #include "FoamLog.h"
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 
 namespace restenosis::foamLog {
@@ -14,6 +17,32 @@ std::optional<std::string> after(const std::string& text, std::string_view words
   if (at == std::string::npos) return std::nullopt;
   const auto start = at + words.size();
   return text.substr(start, std::min(text.find('\n', start), text.size()) - start);
+}
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// The word at the end of a text, before blanks; empty where there is none.
+std::string wordBefore(std::string_view text) {
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  std::size_t start = text.size();
+  while (start > 0 && (std::isalnum(static_cast<unsigned char>(text[start - 1])) || text[start - 1] == '_'))
+    --start;
+  return std::string(text.substr(start));
+}
+
+/// The number of an entry such as "nFaces  128;"; nothing where there is none, or one that no mesh can have.
+std::optional<std::size_t> countOf(std::string_view key, std::string_view entries) {
+  for (std::size_t at = 0; (at = entries.find(key, at)) != entries.npos;) {
+    at += key.size();
+    const std::size_t digits = std::min(entries.find_first_not_of(" \t\r\n", at), entries.size());
+    std::int32_t count = 0;  // as OpenFOAM's labels are
+    const auto [end, error] =
+        std::from_chars(entries.data() + digits, entries.data() + entries.size(), count);
+    if (digits > at && error == std::errc() && count >= 0 && end != entries.data() + entries.size() &&
+        *end == ';')
+      return static_cast<std::size_t>(count);
+  }
+  return std::nullopt;
 }
 
 /// Where a line begins behind the "[1] " that a parallel program puts before its errors.
@@ -89,11 +118,23 @@ std::optional<std::string> fatalError(const std::string& log) {
   return reason;
 }
 
-std::map<std::string, std::size_t> patchFaces(const std::string& boundaryFile) {
-  static const std::regex patch(R"((\w+)\s*\{[^}]*nFaces\s+(\d+);)");
+std::vector<Patch> patches(std::string_view boundaryFile) {
+  std::vector<Patch> patches;
+  for (std::size_t open = 0; (open = boundaryFile.find('{', open)) != boundaryFile.npos;) {
+    const std::size_t close = boundaryFile.find('}', open);
+    if (close == boundaryFile.npos) break;
+    const std::string_view entries = boundaryFile.substr(open + 1, close - open - 1);
+    const std::string name = wordBefore(boundaryFile.substr(0, open));
+    const auto faces = countOf("nFaces", entries);
+    if (!name.empty() && faces) patches.push_back({name, *faces, countOf("startFace", entries)});
+    open = faces ? close : open + 1;
+  }
+  return patches;
+}
+
+std::map<std::string, std::size_t> patchFaces(std::string_view boundaryFile) {
   std::map<std::string, std::size_t> faces;
-  for (std::sregex_iterator it(boundaryFile.begin(), boundaryFile.end(), patch), end; it != end; ++it)
-    faces[(*it)[1]] = std::stoul((*it)[2]);
+  for (const Patch& patch : patches(boundaryFile)) faces[patch.name] = patch.faces;
   return faces;
 }
 

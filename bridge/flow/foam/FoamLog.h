@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace restenosis {
 
@@ -35,8 +37,18 @@ std::optional<int> convergedAfter(const std::string& solverLog);
 /// The reason of a fatal error, on one line, where the log (of a serial or parallel program) has one.
 std::optional<std::string> fatalError(const std::string& log);
 
+/// A patch's number of faces, and the first of them where the file says so.
+struct Patch {
+  std::string name;
+  std::size_t faces = 0;
+  std::optional<std::size_t> startFace;
+};
+
+/// The patches of constant/polyMesh/boundary.
+std::vector<Patch> patches(std::string_view boundaryFile);
+
 /// Faces of each patch, from constant/polyMesh/boundary.
-std::map<std::string, std::size_t> patchFaces(const std::string& boundaryFile);
+std::map<std::string, std::size_t> patchFaces(std::string_view boundaryFile);
 
 /// The last value of a surfaceFieldValue.dat.
 std::optional<double> lastValue(const std::string& table);

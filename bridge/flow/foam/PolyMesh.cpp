@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <regex>
 #include <stdexcept>
 
 #include "AtomicFile.h"
@@ -19,11 +18,10 @@ namespace {
 
 const fs::path meshFolder = "constant/polyMesh";
 
-std::vector<PolyMesh::Patch> readPatches(const std::string& boundaryFile) {
-  static const std::regex entry(R"((\w+)\s*\{[^}]*nFaces\s+(\d+);[^}]*startFace\s+(\d+);)");
+std::vector<PolyMesh::Patch> patchesOf(std::string_view boundaryFile) {
   std::vector<PolyMesh::Patch> patches;
-  for (std::sregex_iterator it(boundaryFile.begin(), boundaryFile.end(), entry), end; it != end; ++it)
-    patches.push_back({(*it)[1], std::stoul((*it)[3]), std::stoul((*it)[2])});
+  for (const foamLog::Patch& patch : foamLog::patches(boundaryFile))
+    if (patch.startFace) patches.push_back({patch.name, *patch.startFace, patch.faces});
   return patches;
 }
 
@@ -32,14 +30,14 @@ bool within(const std::vector<std::int32_t>& indices, std::size_t count) {
   return std::ranges::all_of(indices, [&](auto i) { return i >= 0 && static_cast<std::size_t>(i) < count; });
 }
 
+/// A cell has faces of its own, so there are no more cells than faces.
 bool consistent(const PolyMesh& mesh) {
   const auto& start = mesh.faceStart;
-  const std::size_t cells = mesh.cells();
   return !start.empty() && start.front() == 0 && std::ranges::is_sorted(start) &&
          static_cast<std::size_t>(start.back()) == mesh.faceCorners.size() &&
          within(mesh.faceCorners, mesh.points.size()) && mesh.owner.size() == mesh.faces() &&
-         mesh.neighbour.size() <= mesh.faces() && within(mesh.owner, cells) &&
-         within(mesh.neighbour, cells) && std::ranges::all_of(mesh.patches, [&](const auto& patch) {
+         mesh.neighbour.size() <= mesh.faces() && within(mesh.owner, mesh.faces()) &&
+         within(mesh.neighbour, mesh.faces()) && std::ranges::all_of(mesh.patches, [&](const auto& patch) {
            return patch.start + patch.faces <= mesh.faces();
          });
 }
@@ -89,16 +87,24 @@ std::vector<Vec3> PolyMesh::cellCentres() const {
 
 PolyMesh readPolyMesh(const fs::path& caseFolder) {
   const fs::path folder = caseFolder / meshFolder;
+  return parsePolyMesh(folder, {.points = foamLog::read(folder / "points"),
+                                .faces = foamLog::read(folder / "faces"),
+                                .owner = foamLog::read(folder / "owner"),
+                                .neighbour = foamLog::read(folder / "neighbour"),
+                                .boundary = foamLog::read(folder / "boundary")});
+}
+
+PolyMesh parsePolyMesh(const fs::path& folder, PolyMeshFiles files) {
   PolyMesh mesh;
-  const auto coordinates = FoamBinary(folder / "points").numbers(3);
+  const auto coordinates = FoamBinary(folder / "points", std::move(files.points)).numbers(3);
   mesh.points.resize(coordinates.size() / 3);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] = Vec3(&coordinates[3 * i]);
-  FoamBinary faces(folder / "faces");
+  FoamBinary faces(folder / "faces", std::move(files.faces));
   mesh.faceStart = faces.labels();
   mesh.faceCorners = faces.labels();
-  mesh.owner = FoamBinary(folder / "owner").labels();
-  mesh.neighbour = FoamBinary(folder / "neighbour").labels();
-  mesh.patches = readPatches(foamLog::read(folder / "boundary"));
+  mesh.owner = FoamBinary(folder / "owner", std::move(files.owner)).labels();
+  mesh.neighbour = FoamBinary(folder / "neighbour", std::move(files.neighbour)).labels();
+  mesh.patches = patchesOf(files.boundary);
   if (!consistent(mesh))
     throw std::runtime_error(fmt::format("{}: the files do not fit each other", folder.string()));
   return mesh;

@@ -40,6 +40,14 @@ struct PolyMesh {
 /// where the parts do not fit each other.
 PolyMesh readPolyMesh(const std::filesystem::path& caseFolder);
 
+/// The contents of the files of constant/polyMesh.
+struct PolyMeshFiles {
+  std::string points, faces, owner, neighbour, boundary;
+};
+
+/// The same from what the files hold; `folder` is what messages name.
+PolyMesh parsePolyMesh(const std::filesystem::path& folder, PolyMeshFiles files);
+
 /// Makes a case's mesh that of another case, but with these points. Throws WriteFailed or
 /// std::filesystem::filesystem_error where that fails.
 void copyPolyMesh(const std::filesystem::path& fromCase, const std::filesystem::path& toCase,
