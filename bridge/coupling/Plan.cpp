@@ -6,14 +6,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "AgentCounts.h"
 #include "AgentTable.h"
 #include "Biology.h"
+#include "CellEstimate.h"
 #include "FlowBackendNames.h"
 #include "FlowForecast.h"
+#include "LoadedLumen.h"
+#include "LoadedWall.h"
 #include "LumenGrid.h"
+#include "LumenShape.h"
 #include "Printable.h"
 #include "Run.h"
-#include "SceneChecks.h"
 #include "SceneStent.h"
 #include "SecondsPerDay.h"
 #include "Units.h"
@@ -89,15 +93,44 @@ double strutAgents(const Scene& scene) {
   return scene.stent ? static_cast<double>(makeStent(*scene.stent, scene.vessel).spheres.size()) : 0;
 }
 
+/// Of the lumen of a scene without tissue, and its straight ends.
+LumenSize lumenSize(const Scene& scene) {
+  using std::numbers::pi;
+  const double ends = scene.flow->straightEnds;  // each of the two
+  LumenSize size;
+  if (scene.vessel.lumenSurface.empty()) {
+    const double diameter = scene.vessel.lumenDiameter, length = scene.vessel.length + 2 * ends;
+    size.wallArea = pi * diameter * length;
+    size.volume = size.wallArea * diameter / 4;
+    return size;
+  }
+  const TriSurface lumen = loadLumen(scene.vessel);
+  size.volume = enclosedVolume(lumen);
+  for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
+    if (lumen.region[t] == SurfaceRegion::wall) size.wallArea += lumen.areaVector(t).norm();
+    if (lumen.region[t] == SurfaceRegion::strut) size.strutArea += lumen.areaVector(t).norm();
+  }
+  for (const SurfaceRegion end : {SurfaceRegion::inlet, SurfaceRegion::outlet}) {
+    const double diameter = endDiameter(lumen, end);
+    size.wallArea += pi * diameter * ends;
+    size.volume += pi / 4 * diameter * diameter * ends;
+  }
+  return size;
+}
+
+/// Agents of the wall that is packed: as many as its shape is given.
+double packedAgents(const Scene& scene) {
+  const VesselParameters& vessel = scene.vessel;
+  const WallShape shape = vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel);
+  return countAgents(vessel, shape).total();
+}
+
 /// Memory and time of the one solve in a lumen without tissue; empty where there is tissue, whose lumen
 /// changes.
 std::string flowText(const Scene& scene) {
   if (scene.hasTissue()) return "";
   if (!noFlowBecause(scene).empty()) return "no agents, no flow\n";
-  const VesselParameters& vessel = scene.vessel;
-  const double length = vessel.length + 2 * scene.flow->straightEnds;
-  const double side = std::numbers::pi * vessel.lumenDiameter * length,
-               volume = side * vessel.lumenDiameter / 4;
+  const LumenSize lumen = lumenSize(scene);
   const CostEstimate cost;
   const auto text = [&](double pieces, const char* name, double bytes, double seconds) {
     return fmt::format(
@@ -105,16 +138,12 @@ std::string flowText(const Scene& scene) {
         "estimates)\n",
         pieces, name, (cost.solverBytes + bytes * pieces) / 1e6, seconds * pieces);
   };
-  if (scene.flow->backend == flowBackendNames::foam) {
-    const FoamSettings foam = scene.foamSettings();
-    // The core, and about two rows of cells of the wall's size
-    const double cells = volume / std::pow(foam.cellSize, 3) + 2 * side / std::pow(foam.wallCell(), 2);
-    return text(cells, "cells", cost.bytesPerCell, cost.secondsPerCell);
-  }
+  if (scene.flow->backend == flowBackendNames::foam)
+    return text(expectedCells(lumen, scene.foamSettings()), "cells", cost.bytesPerCell, cost.secondsPerCell);
   if (scene.flow->backend == flowBackendNames::lbm)
-    return text(volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
+    return text(lumen.volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
                 cost.secondsPerLatticeNode);
-  return text(side / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
+  return text(lumen.wallArea / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
 }
 
 /// Agents, memory and time of the tissue, or empty where there is none; and what is to be said of a loaded
@@ -124,7 +153,7 @@ std::string tissueText(const Scene& scene, std::uint32_t steps) {
   const CostEstimate cost;
   const bool loaded = !scene.vessel.agents.empty();
   const AgentStore wall = loaded ? readAgentTable(scene.vessel.agents).agents : AgentStore();
-  const double ofWall = loaded ? wall.size() : std::round(estimatedAgents(scene));
+  const double ofWall = loaded ? wall.size() : packedAgents(scene);
   const double agents = ofWall + strutAgents(scene);
   const double packing = loaded ? 0 : cost.packSecondsPerAgent;
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;

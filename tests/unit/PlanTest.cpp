@@ -1,12 +1,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <string>
 
+#include "LoadedWall.h"
 #include "Plan.h"
+#include "SceneChecks.h"
 #include "SceneStent.h"
 #include "SecondsPerDay.h"
+#include "StlFile.h"
+#include "SweptTube.h"
 #include "TemporaryFolder.h"
+#include "TubeSurface.h"
+#include "WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -40,6 +47,43 @@ TEST(Plan, EstimatesTheAgentsOfAPackedWall) {
   Scene scene;
   scene.mechanics.emplace();
   EXPECT_NE(planText(scene).find("\nabout 248"), std::string::npos) << planText(scene);
+}
+
+TEST(Plan, CountsTheAgentsOfAWallAroundALoadedLumen) {
+  const TemporaryFolder folder;
+  TriSurface bulge = support::tube(0.4e-3, 2e-3);
+  for (Vec3& v : bulge.vertices) v.head<2>() *= 1 + std::sin(std::numbers::pi * v.z() / 2e-3);
+  Scene scene;
+  scene.mechanics.emplace();
+  scene.vessel.lumenSurface = folder / "bulge.stl";
+  writeStl(scene.vessel.lumenSurface, bulge, 1e-3);
+  scene.vessel.length = 2e-3;
+  scene.vessel.lumenDiameter = 0.8e-3;
+  const auto made = scatterWall(scene.vessel, loadedWallShape(scene.vessel), 1).agents.size();
+  EXPECT_GT(made, 1.4 * estimatedAgents(scene)) << "what a cylinder of the inlet's width would have";
+  EXPECT_NE(planText(scene).find(fmt::format("\nabout {} agents, ", made)), std::string::npos)
+      << planText(scene);
+}
+
+TEST(Plan, EstimatesTheCellsOfALoadedLumenByItsOwnSize) {
+  const TemporaryFolder folder;
+  // A bow, whose ends are much nearer to each other than it is long
+  std::vector<support::AxisPoint> axis;
+  for (int k = 0; k <= 60; ++k) {
+    const double turn = 1.5 * std::numbers::pi * k / 60;
+    axis.push_back(
+        {3e-3 * Vec3(1 - std::cos(turn), 0, std::sin(turn)), Vec3(std::sin(turn), 0, std::cos(turn))});
+  }
+  Scene scene;
+  scene.scene.fidelity = "draft";
+  scene.flow.emplace().backend = "foam";
+  scene.vessel.lumenSurface = folder / "bow.stl";
+  writeStl(scene.vessel.lumenSurface, support::sweptTube(axis, 0.9e-3), 1e-3);
+  scene.vessel.length = 4.2e-3;  // between the ends
+  const std::string text = planText(scene);
+  const double cells = std::stod(text.substr(text.find("; about ") + 8));
+  EXPECT_NEAR(cells, 241256 * 14.1 / 32, 0.06 * 241256 * 14.1 / 32)
+      << "a spring as wide, of which 32 mm were meshed";
 }
 
 TEST(Plan, CountsStrutsAmongTheAgents) {
