@@ -6,7 +6,6 @@
 #include <new>
 #include <stdexcept>
 
-#include "Checkpoint.h"
 #include "ComparedLumen.h"
 #include "ExitStatus.h"
 #include "FlowBackend.h"
@@ -27,7 +26,7 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
   } catch (const CheckpointRefused& error) {
     std::cerr << error.what();
     if (error.reason == CheckpointRefused::Reason::foreign && advice.foreignCheckpoint)
-      std::cerr << "; " << advice.foreignCheckpoint();
+      std::cerr << "; " << advice.foreignCheckpoint(error);
     std::cerr << '\n';
     return ExitStatus::wrongInput;
   } catch (const FlowFailed& error) {

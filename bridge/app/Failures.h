@@ -4,13 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "Checkpoint.h"
+
 namespace restenosis {
 
 /// What a command adds to the reason of its end.
 struct Advice {
-  std::string_view interrupted;                         ///< all there is to say when the user has ended it
-  std::string_view flowFailed = {};                     ///< how to go on
-  std::function<std::string()> foreignCheckpoint = {};  ///< what sets the checkpoint's scene apart
+  std::string_view interrupted;      ///< all there is to say when the user has ended it
+  std::string_view flowFailed = {};  ///< how to go on
+  /// What sets the checkpoint's scene apart.
+  std::function<std::string(const CheckpointRefused&)> foreignCheckpoint = {};
 };
 
 /// Does a command's work and returns its exit status. What ends it by an exception is told on standard error:

@@ -36,6 +36,7 @@ struct RunArguments {
   int threads = 0;
   int ranks = 1;
   bool resume = false;
+  bool flowFromRest = false;
 };
 
 void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
@@ -78,25 +79,34 @@ std::filesystem::path resultsPath(const Scene& scene, const RunArguments& argume
 }
 
 /// What sets this scene apart from the one of the results at `path`, as far as it can be told.
-std::string differencesFrom(const std::filesystem::path& path, const Scene& scene) {
+std::string differencesFrom(const std::filesystem::path& path, const Scene& scene,
+                            const CheckpointRefused& refused) {
+  const auto inputs = sceneFiles(scene);
+  std::string changed;
+  for (const std::string& name : refused.changedInputs)
+    changed += fmt::format("{}{} ({}) has been changed since the run was started",
+                           changed.empty() ? "" : ", ", inputs.at(name).string(), name);
   try {
     const Units units;
-    const auto keys = lastingDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
-    if (keys.empty()) {
-      return "the keys are the same: a file that the scene names has been changed, or the two versions of "
-             "the program do not have the same keys";
-    }
+    auto keys = lastingDifferences(SceneReader(units).readFile(path / "scene.toml", {}), scene);
+    std::erase_if(keys, [&](const std::string& key) {
+      return std::ranges::find(refused.changedInputs, key) != refused.changedInputs.end();
+    });
+    if (keys.empty() && !changed.empty()) return changed;
+    if (keys.empty())
+      return "the keys are the same: the two versions of the program do not have the same keys";
     std::string list;
     for (const std::string& key : keys) list.append(list.empty() ? "" : ", ").append(key);
-    return "they differ in " + list;
+    return fmt::format("{}{}they differ in {}", changed, changed.empty() ? "" : "; ", list);
   } catch (const std::exception&) {
+    if (!changed.empty()) return changed;
     return fmt::format("{} cannot be compared with it", (path / "scene.toml").string());
   }
 }
 
 /// A new run would move them before it has read them. Throws FolderRefused.
 void requireFilesElsewhere(const Scene& scene, const std::filesystem::path& folder) {
-  for (const auto& file : sceneFiles(scene)) {
+  for (const auto& [name, file] : sceneFiles(scene)) {
     if (!ResultsFolder::holdsAsResult(folder, file)) continue;
     throw FolderRefused(fmt::format(
         "{}, which the scene names, lies among the results in {}, which a new run moves aside: copy it to "
@@ -115,8 +125,10 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   for (const std::string& known : flowForecast(scene, arguments.ranks))
     std::cerr << fmt::format("The flow, once it is due, {}\n", known);
   Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
-  const RunOptions options{
-      .threads = threadCount(arguments.threads), .ranks = arguments.ranks, .stopRequested = &stopOnSignals()};
+  const RunOptions options{.threads = threadCount(arguments.threads),
+                           .ranks = arguments.ranks,
+                           .stopRequested = &stopOnSignals(),
+                           .flowFromRest = arguments.flowFromRest};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
   atomicWrite(folder.scene(), writeScene(scene, Units()));
@@ -138,7 +150,9 @@ int tryRun(const RunArguments& arguments) {
       {.interrupted = "interrupted; go on with --resume",
        .flowFailed = "Results so far are kept; go on with --resume, with another scene.fidelity or other "
                      "settings in [foam] or [lbm] if these are the cause.",
-       .foreignCheckpoint = [&] { return differencesFrom(resultsPath(*scene, arguments), *scene); }});
+       .foreignCheckpoint = [&](const CheckpointRefused& refused) {
+         return differencesFrom(resultsPath(*scene, arguments), *scene, refused);
+       }});
 }
 
 }  // namespace
@@ -158,7 +172,13 @@ void addRunCommand(CLI::App& app, int& status) {
                    "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "
                    "solver's tolerance")
       ->check(countUpTo(mostRanks));
-  command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
+  auto* resume =
+      command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
+  command
+      ->add_flag("--flow-from-rest", arguments->flowFromRest,
+                 "where the OpenFOAM case that the checkpoint goes on from is lost or changed, go on all the "
+                 "same: the next flow is solved from rest on a new mesh, and the results say so")
+      ->needs(resume);
   command->callback([arguments, &status] { status = tryRun(*arguments); });
 }
 

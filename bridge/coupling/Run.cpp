@@ -8,14 +8,17 @@
 #include <string_view>
 
 #include "AtomicFile.h"
+#include "Build.h"
 #include "CyclePart.h"
 #include "Deployment.h"
 #include "EndotheliumPart.h"
 #include "EscapedAgents.h"
 #include "ExposurePart.h"
+#include "FlowBackendNames.h"
 #include "FlowBackends.h"
 #include "FlowForecast.h"
 #include "FlowPart.h"
+#include "FoamTemplate.h"
 #include "ForceField.h"
 #include "InjuryRemark.h"
 #include "LoadedWall.h"
@@ -53,6 +56,22 @@ bool nextToMultiple(double time, double interval, double step) {
   return multiplesUntil(time + step / 2) > multiplesUntil(time - step / 2);
 }
 
+/// Of this program, this machine and what the flow is solved with.
+std::map<std::string, std::string> traitsOf(const Scene& scene) {
+  auto traits = buildTraits();
+  if (!scene.flow || scene.flow->backend != flowBackendNames::foam) return traits;
+  try {
+    const std::filesystem::path folder = foamTemplate();
+    FileDigests files = digestsOf(folder, foamTemplateFiles(folder));
+    HashingArchive hash;
+    hash(files);
+    traits["OpenFOAM case template"] = hash.digest();
+  } catch (const std::runtime_error&) {
+    // The solve says what is wrong with it
+  }
+  return traits;
+}
+
 }  // namespace
 
 std::uint32_t stepCount(const SceneParameters& scene) {
@@ -64,7 +83,8 @@ Run::Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, co
       folder_(folder),
       options_(options),
       world_(scene, folder, progress),
-      checkpoint_(folder.checkpoint()),
+      origin_{traitsOf(scene), inputDigests(scene)},
+      checkpoint_(folder.checkpoint(), origin_),
       sceneFingerprint_(sceneFingerprint(scene)),
       checkpointFingerprint_(checkpointFingerprint(scene)),
       lastCheckpoint_(std::chrono::steady_clock::now()) {
@@ -81,12 +101,14 @@ void Run::archive(Archive& a) {
 
 void Run::resume() {
   if (!checkpoint_.exists()) {
-    const bool moved = folder_.moveFormerRun();
+    // What was begun before the first checkpoint is begun again
+    const bool moved = folder_.moveFormerRun(Unrecorded::deleted);
     world_.progress.message(
         fmt::format("no checkpoint: starting afresh{}", moved ? "; the former run is in previous/" : ""));
     return;
   }
-  ReadingArchive state(checkpoint_.load(checkpointFingerprint_));
+  StoredState stored = checkpoint_.loadWithOrigin(checkpointFingerprint_);
+  ReadingArchive state(std::move(stored.bytes));
   archive(state);
   if (nextStep_ > stepCount(scene_.scene)) {
     throw CheckpointRefused(
@@ -97,6 +119,8 @@ void Run::resume() {
                     scene_.scene.duration / secondsPerDay));
   }
   requireFormerCase();
+  flushedSolve_ = world_.flow.solves;
+  compareOrigin(stored.origin);
   folder_.removeFlowCasesAfter(world_.flow.solves > 0 ? std::optional(world_.flow.time) : std::nullopt);
   if (!lastFlowHasTheseSettings()) {
     world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
@@ -113,13 +137,47 @@ bool Run::lastFlowHasTheseSettings() const {
 
 void Run::requireFormerCase() {
   noteCaseInCheckpoint();
+  const std::string change = changeOfFormerCase();
+  if (change.empty()) return;
   const auto& folder = world_.caseInCheckpoint;
-  const bool needed = flowNeedsFormerCase_ && lastFlowHasTheseSettings();
-  if (folder.empty() || !needed || std::filesystem::is_directory(folder / "constant/polyMesh")) return;
+  if (options_.flowFromRest) {
+    world_.flow.fromRest = true;
+    world_.flow.startFiles.clear();
+    world_.reproducible = false;
+    remark(
+        fmt::format("the flow goes on from rest on a new mesh: resumed on day {:.4g} from the flow in {}, {}",
+                    nextStep_ * scene_.scene.step / secondsPerDay, folder.string(), change));
+    return;
+  }
+  using Reason = CheckpointRefused::Reason;
   throw CheckpointRefused(
-      CheckpointRefused::Reason::caseMissing,
-      fmt::format("{} goes on from the flow in {}, which is not there: start the run again",
-                  checkpoint_.file().string(), folder.string()));
+      std::filesystem::is_directory(folder) ? Reason::caseChanged : Reason::caseMissing,
+      fmt::format(
+          "{} goes on from the flow in {}, {}: put it back as it was, or go on with --flow-from-rest, "
+          "which solves the next flow from rest on a new mesh, and says so in the results",
+          checkpoint_.file().string(), folder.string(), change));
+}
+
+std::string Run::changeOfFormerCase() const {
+  const auto& folder = world_.caseInCheckpoint;
+  const bool needed = !world_.flow.startFiles.empty() && lastFlowHasTheseSettings();
+  if (!needed || !flowPart_) return {};
+  if (!std::filesystem::is_directory(folder)) return "which is not there";
+  try {
+    return changeOfFiles(world_.flow.startFiles, flowPart_->startFiles(folder));
+  } catch (const std::runtime_error& error) {
+    return fmt::format("where {}", error.what());
+  }
+}
+
+void Run::compareOrigin(const CheckpointOrigin& before) {
+  const std::string others = traitsInPlace(before.traits, origin_.traits);
+  if (others.empty()) return;
+  world_.reproducible = false;
+  remark(
+      fmt::format("resumed on day {:.4g} by another program or machine, so that the state may differ from "
+                  "that of a whole run: {}",
+                  nextStep_ * scene_.scene.step / secondsPerDay, others));
 }
 
 void Run::noteCaseInCheckpoint() {
@@ -275,9 +333,10 @@ void Run::buildSchedule() {
   if (scene_.cellCycle) schedule_->add(std::make_unique<ExposurePart>(world_));
   if (scene_.endothelium) schedule_->add(std::make_unique<EndotheliumPart>(world_));
   schedule_->add(std::make_unique<LumenPart>(world_));
-  flowNeedsFormerCase_ = backend && backend->needsFormerCase();
   if (backend) {
-    schedule_->add(std::make_unique<FlowPart>(world_, std::move(backend)));
+    auto flow = std::make_unique<FlowPart>(world_, std::move(backend));
+    flowPart_ = flow.get();
+    schedule_->add(std::move(flow));
     if (scene_.endothelium) schedule_->add(std::make_unique<WallShearPart>(world_));
   }
   // Without flow there is none, but who is covered is part of the state all the same.
@@ -334,9 +393,17 @@ void Run::checkpointWhenDue(bool regular) {
 
 void Run::saveCheckpoint() {
   auto measurement = world_.timer.measure("output");
+  flushFormerCase();
   checkpoint_.save(checkpointFingerprint_, [this](StreamingArchive& state) { archive(state); });
   lastCheckpoint_ = std::chrono::steady_clock::now();
   noteCaseInCheckpoint();
+}
+
+void Run::flushFormerCase() {
+  if (world_.flow.startFiles.empty() || flushedSolve_ == world_.flow.solves) return;
+  if (!lastFlowHasTheseSettings()) return;  // nothing starts from it
+  flushFiles(folder_.flowCase(world_.flow.time), world_.flow.startFiles);
+  flushedSolve_ = world_.flow.solves;
 }
 
 void Run::reportProgress(const Instant& now) {
@@ -365,6 +432,7 @@ std::optional<PoiseuilleError> Run::poiseuille() const {
 
 void Run::writeFinalResults() {
   world_.progress.finish();
+  record_->end();
   const RadialMap& present = world_.lumen.present;
   std::vector<ProfileRow> rows(static_cast<std::size_t>(present.planes()));
   std::optional<Neointima> neointima;
@@ -391,8 +459,9 @@ void Run::writeSummary() {
   summary.threads = options_.threads;
   summary.ranks = options_.ranks;
   if (scene_.flow) summary.flowBackend = scene_.flow->backend;
-  // The state is of no one scene once the flow has had other settings on the way
-  if (!world_.flow.mixed && lastFlowHasTheseSettings()) summary.sceneFingerprint = sceneFingerprint_;
+  // The state is of no one scene once the flow has had other settings on the way, or of no one program
+  if (world_.reproducible && !world_.flow.mixed && lastFlowHasTheseSettings())
+    summary.sceneFingerprint = sceneFingerprint_;
   summary.stateDigest = stateDigest();
   if (record_ && !record_->timeSeries().rows().empty()) summary.last = record_->timeSeries().rows().back();
   summary.flowSolvesDone = world_.flow.solves;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "Checkpoint.h"
+#include "FlowPart.h"
 #include "PoiseuilleError.h"
 #include "RecordPart.h"
 #include "ResultsFolder.h"
@@ -28,6 +29,9 @@ struct RunOptions {
   int ranks = 1;  ///< processes of the flow solver
   const std::atomic<bool>* stopRequested =
       nullptr;  ///< set by a signal: save a checkpoint and throw Interrupted
+  /// When resumed where the flow case that the next solve starts from is lost or changed: it starts from
+  /// rest, on a new mesh, instead of being refused.
+  bool flowFromRest = false;
 };
 
 /// A run from the packed wall to the end of growth: packs, deploys, injures, and then makes the coupled steps
@@ -71,8 +75,14 @@ class Run {
   void saveCheckpoint();
   /// True before the first flow.
   bool lastFlowHasTheseSettings() const;
-  /// Throws CheckpointRefused where the next solve needs the case of the last one and it is gone.
+  /// Throws CheckpointRefused where the next solve needs the case of the last one and it is gone or changed.
   void requireFormerCase();
+  /// How that case has changed, as the end of a sentence that begins with its folder; empty where it has not.
+  std::string changeOfFormerCase() const;
+  /// What the next solve reads is on the disk before a checkpoint names it.
+  void flushFormerCase();
+  /// Remarks on a state that another version, compiler or processor has saved.
+  void compareOrigin(const CheckpointOrigin& before);
   void noteCaseInCheckpoint();
   bool isAskedToStop() const;
   void stopIfAsked();
@@ -89,11 +99,13 @@ class Run {
   const ResultsFolder& folder_;
   RunOptions options_;
   World world_;
+  CheckpointOrigin origin_;
   Checkpoint checkpoint_;
   std::string sceneFingerprint_, checkpointFingerprint_;  ///< of when the run was started or resumed
   std::unique_ptr<Schedule> schedule_;
-  RecordPart* record_ = nullptr;  ///< owned by the schedule
-  bool flowNeedsFormerCase_ = false;
+  RecordPart* record_ = nullptr;    ///< owned by the schedule
+  FlowPart* flowPart_ = nullptr;    ///< owned by the schedule; null for none
+  std::uint64_t flushedSolve_ = 0;  ///< number of the solve whose case is known to be on the disk
 
   Stage stage_ = Stage::fresh;
   std::int32_t deploymentSteps_ = 0;  ///< done

@@ -10,6 +10,7 @@
 #include "Biology.h"
 #include "ChangeLedger.h"
 #include "DeploymentStatistics.h"
+#include "FileDigests.h"
 #include "FlowBackend.h"
 #include "Injury.h"
 #include "LumenField.h"
@@ -51,10 +52,13 @@ struct FlowState {
   std::map<std::string, std::string> settings;           ///< of its backend (flowSettings)
   bool mixed = false;                                    ///< whether earlier solves had others
   AlikeRemarks remarked;                                 ///< in World::remarks
+  FileDigests startFiles;  ///< what the next solve reads of the case of that one; empty for nothing
+  bool fromRest = false;   ///< the next solve has no case to start from: it was lost
 
   template <class Archive>
   void archive(Archive& a) {
-    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings, mixed, remarked);
+    a(last, time, solves, solvesRecorded, meshesMoved, remeshedBecause, settings, mixed, remarked, startFiles,
+      fromRest);
   }
 };
 
@@ -94,6 +98,8 @@ struct World {
   std::uint64_t divisions = 0;   ///< since deployment
   RelaxationWork relaxation;
   std::vector<std::string> remarks;
+  /// Whether, as far as is known, a run from the start would end in the same state.
+  bool reproducible = true;
   /// Case of the last solve that the checkpoint knows; empty for none. A resumed run may need it.
   std::filesystem::path caseInCheckpoint;
 
@@ -112,7 +118,7 @@ struct World {
   template <class Archive>
   void archive(Archive& a) {
     a(wall, biology, lumen, flow, changes, packing, deployment, injury, confinement, divisions, relaxation,
-      remarks, timer);
+      remarks, reproducible, timer);
   }
 
  private:

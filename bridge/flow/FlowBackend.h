@@ -74,6 +74,11 @@ class FlowBackend {
   virtual void startFrom(const std::filesystem::path& /*formerCase*/) {}
   /// Whether what `solve` returns depends on the folder given to startFrom.
   virtual bool needsFormerCase() const { return false; }
+  /// The files of a former case that the next solve would read after startFrom, relative to the case. Throws
+  /// std::runtime_error where there is no solution.
+  virtual std::vector<std::filesystem::path> filesToStartFrom(const std::filesystem::path&) const {
+    return {};
+  }
   /// Velocity of the last solution [m/s] at points in its lumen [m]; NaN where it is not known. Empty from a
   /// backend that keeps none.
   virtual std::vector<Vec3> velocities(const std::vector<Vec3>&) const { return {}; }

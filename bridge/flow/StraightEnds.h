@@ -30,6 +30,10 @@ class StraightEnds : public FlowBackend {
                      const std::filesystem::path& caseFolder) override;
   void startFrom(const std::filesystem::path& formerCase) override { backend_->startFrom(formerCase); }
   bool needsFormerCase() const override { return backend_->needsFormerCase(); }
+  std::vector<std::filesystem::path> filesToStartFrom(
+      const std::filesystem::path& formerCase) const override {
+    return backend_->filesToStartFrom(formerCase);
+  }
   std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override {
     return backend_->velocities(points);
   }

@@ -20,7 +20,7 @@ namespace {
 using Reason = CheckpointRefused::Reason;
 
 constexpr std::array<char, 8> magic{'r', 'F', 'o', 'a', 'm', 'S', 't', '\n'};
-constexpr std::uint32_t formatVersion = 15;
+constexpr std::uint32_t formatVersion = 16;
 
 /// The first bytes of every format; they never change their place.
 struct Prefix {
@@ -32,11 +32,12 @@ struct Prefix {
 /// What follows the prefix, before the state.
 struct Header {
   std::string fingerprint, writtenBy, digest;
+  CheckpointOrigin origin;
   std::uint64_t stateSize = 0;
 
   template <class Archive>
   void archive(Archive& a) {
-    a(fingerprint, writtenBy, stateSize, digest);
+    a(fingerprint, writtenBy, origin, stateSize, digest);
   }
   /// Size of a state, and checksum of everything but the checksum itself, so that damage to the header shows
   /// as well.
@@ -44,6 +45,7 @@ struct Header {
     HashingArchive hash;
     hash.bytes(fingerprint.data(), fingerprint.size());
     hash.bytes(writtenBy.data(), writtenBy.size());
+    hash(origin);
     stateSize = 0;
     StreamingArchive archive([&](std::string_view piece) {
       hash.bytes(piece.data(), piece.size());
@@ -66,7 +68,7 @@ void Checkpoint::save(std::string_view fingerprint, std::string_view state) cons
 }
 
 void Checkpoint::save(std::string_view fingerprint, const StateWriter& state) const {
-  Header header{std::string(fingerprint), std::string(version()), "", 0};
+  Header header{std::string(fingerprint), std::string(version()), "", origin_, 0};
   header.measure(state);
   WritingArchive archive;
   archive(header);
@@ -80,14 +82,26 @@ void Checkpoint::save(std::string_view fingerprint, const StateWriter& state) co
   });
 }
 
+std::vector<std::string> Checkpoint::inputsChangedSince(const CheckpointOrigin& before) const {
+  std::vector<std::string> changed;
+  for (const auto& [name, digest] : before.inputs) {
+    const auto now = origin_.inputs.find(name);
+    if (now != origin_.inputs.end() && now->second != digest) changed.push_back(name);
+  }
+  return changed;
+}
+
 bool Checkpoint::exists() const {
   std::error_code error;
   return std::filesystem::exists(file(), error) || error;
 }
 
-std::string Checkpoint::load(std::string_view fingerprint) const {
-  const auto refuse = [this](Reason reason, const std::string& why) -> CheckpointRefused {
-    return {reason, fmt::format("checkpoint {}: {}", file().string(), why)};
+std::string Checkpoint::load(std::string_view fingerprint) const { return loadWithOrigin(fingerprint).bytes; }
+
+StoredState Checkpoint::loadWithOrigin(std::string_view fingerprint) const {
+  const auto refuse = [this](Reason reason, const std::string& why,
+                             std::vector<std::string> inputs = {}) -> CheckpointRefused {
+    return {reason, fmt::format("checkpoint {}: {}", file().string(), why), std::move(inputs)};
   };
   const auto truncated = [&refuse] {
     return refuse(Reason::truncated, "is cut off; it cannot be gone on from, start the run again");
@@ -142,9 +156,10 @@ std::string Checkpoint::load(std::string_view fingerprint) const {
         fmt::format(
             "belongs to another scene or to other settings (it was written by {}); resume with the scene "
             "it was started with, or start again",
-            header.writtenBy));
+            header.writtenBy),
+        inputsChangedSince(header.origin));
   }
-  return state;
+  return {std::move(state), std::move(header.origin)};
 }
 
 }  // namespace restenosis

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "StateArchive.h"
 
@@ -20,10 +22,30 @@ struct CheckpointRefused : std::runtime_error {
     corrupt,
     foreign,
     beyond,
-    caseMissing
+    caseMissing,
+    caseChanged
   };
-  CheckpointRefused(Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
+  CheckpointRefused(Reason why, const std::string& message, std::vector<std::string> inputs = {})
+      : std::runtime_error(message), reason(why), changedInputs(std::move(inputs)) {}
   Reason reason;
+  std::vector<std::string> changedInputs;  ///< names in CheckpointOrigin::inputs of files that are others now
+};
+
+/// Where a state comes from, beside its scene: kept with it, to tell what has changed since.
+struct CheckpointOrigin {
+  std::map<std::string, std::string> traits;  ///< of the build and the machine (buildTraits)
+  std::map<std::string, std::string> inputs;  ///< digests of the files that the scene names, by their keys
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(traits, inputs);
+  }
+};
+
+/// A state as it was saved, and where.
+struct StoredState {
+  std::string bytes;
+  CheckpointOrigin origin;
 };
 
 /// The stored state of a run in a folder of its own: one file that is replaced atomically, so that a run
@@ -31,7 +53,8 @@ struct CheckpointRefused : std::runtime_error {
 /// the file adds what is needed to trust it: format, the scene it belongs to, its size and its XXH3 checksum.
 class Checkpoint {
  public:
-  explicit Checkpoint(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit Checkpoint(std::filesystem::path folder, CheckpointOrigin origin = {})
+      : folder_(std::move(folder)), origin_(std::move(origin)) {}
 
   std::filesystem::path file() const { return folder_ / "state.bin"; }
   /// Also where the system does not tell: `load` then says why.
@@ -49,9 +72,14 @@ class Checkpoint {
   /// The state as it was saved. Throws CheckpointRefused when there is none, it is damaged, of another
   /// format, or of a scene with another fingerprint.
   std::string load(std::string_view fingerprint) const;
+  /// The same, with the origin that it was saved with.
+  StoredState loadWithOrigin(std::string_view fingerprint) const;
 
  private:
+  std::vector<std::string> inputsChangedSince(const CheckpointOrigin& before) const;
+
   std::filesystem::path folder_;
+  CheckpointOrigin origin_;
 };
 
 }  // namespace restenosis

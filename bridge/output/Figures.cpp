@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "AtomicFile.h"
 #include "ExternalProgram.h"
 
 namespace restenosis {
@@ -38,6 +39,14 @@ class OwnFolder {
   fs::path path_;
 };
 
+/// Links in the place of what is drawn: it would be written where they lead.
+void removeLinks(const fs::path& results) {
+  for (const char* picture :
+       {"growth", "lumen", "section", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
+    for (const char* kind : {".png", ".partial.png"}) removeIfLink(results / (std::string(picture) + kind));
+  for (const char* text : {"report.html", "figures.log"}) removeIfLink(results / text);
+}
+
 /// The last line of a log that is not empty: where a Python program says what went wrong.
 std::string lastLine(const fs::path& log) {
   std::ifstream stream(log);
@@ -58,6 +67,7 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
   const fs::path log = results / "figures.log";
   std::string reason;
   try {
+    removeLinks(results);
     const OwnFolder own(results / ".figures");
     ExternalProgram python(interpreter_);
     python.stopWhen(stopRequested).stopAfter(limit_);

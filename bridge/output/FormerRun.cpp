@@ -33,8 +33,6 @@ bool isAmong(const std::array<std::string_view, N>& names, const fs::path& name)
 /// Whether something is there, be it a link that leads nowhere.
 bool isThere(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
-bool isRealFolder(const fs::path& path) { return fs::is_directory(fs::symlink_status(path)); }
-
 std::vector<fs::path> entriesOf(const fs::path& folder) {
   std::vector<fs::path> entries;
   if (isRealFolder(folder))
@@ -123,6 +121,8 @@ bool isNameOfResultFolder(const fs::path& name) {
   return isAmong(folders, name);
 }
 
+bool isRealFolder(const fs::path& path) { return fs::is_directory(fs::symlink_status(path)); }
+
 bool isNameOfFormerRun(const fs::path& name) {
   return name == previous || name == gathered || name == replaced;
 }
@@ -136,12 +136,13 @@ std::optional<double> dayOfFlowCase(const fs::path& folder) {
   return day;
 }
 
-bool moveRunAside(const fs::path& results) {
+bool moveRunAside(const fs::path& results, Unrecorded unrecorded) {
   finishMovingAside(results);
   if (!holdsRun(results)) return false;
-  if (hasRecorded(results / previous) && !hasRecorded(results)) {
+  const bool dispensable = unrecorded == Unrecorded::deleted || hasRecorded(results / previous);
+  if (dispensable && !hasRecorded(results)) {
     removeRun(results);
-    return true;
+    return false;
   }
   fs::create_directory(results / gathered);
   finishMovingAside(results);

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "AtomicFile.h"
-#include "FormerRun.h"
 #include "SecondsPerDay.h"
 
 namespace restenosis {
@@ -82,14 +81,35 @@ void movingAside(const fs::path& folder, const std::function<void()>& move) {
 }
 
 /// Links that lead elsewhere: to write through them, or to delete what is behind them, is not this program's.
-void refuseLinkedFolders(const fs::path& folder) {
+/// Refuses those whose names `concerns` is true of.
+void refuseLinks(const fs::path& folder, const std::function<bool(const fs::path&)>& concerns) {
+  if (!fs::is_directory(folder)) return;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (!isNameOfResultFolder(entry.path().filename()) || !entry.is_symlink()) continue;
+    if (!entry.is_symlink() || !concerns(entry.path().filename())) continue;
     throw FolderRefused(
         fmt::format("{} is a link, and links among results are not followed: put the folder itself there, or "
                     "choose another folder with -o",
                     entry.path().string()));
   }
+}
+
+bool holdsLogsAlone(const fs::path& folder) {
+  if (!isRealFolder(folder) || fs::is_empty(folder)) return false;
+  return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
+    return entry.path().filename().string().starts_with("log.") && entry.is_regular_file();
+  });
+}
+
+void removeAllButLogs(const fs::path& flowCase) {
+  if (!isRealFolder(flowCase)) {
+    fs::remove(flowCase);
+    return;
+  }
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(flowCase)) entries.push_back(entry.path());
+  for (const fs::path& entry : entries)
+    if (!holdsLogsAlone(entry)) fs::remove_all(entry);
+  if (fs::is_empty(flowCase)) fs::remove(flowCase);
 }
 
 }  // namespace
@@ -124,8 +144,14 @@ int ResultsFolder::acquireLock(const fs::path& folder) {
                     read > 0 ? fmt::format(" (process {})", owner.data()) : "", folder.string()));
   }
   const auto owner = fmt::format("{}", ::getpid());
-  if (::ftruncate(lock, 0) != 0 ||
-      ::pwrite(lock, owner.data(), owner.size(), 0) != static_cast<ssize_t>(owner.size())) {
+  bool written = ::ftruncate(lock, 0) == 0;
+  // A write may take less than it is given
+  for (std::size_t at = 0; written && at < owner.size();) {
+    const ssize_t more = ::pwrite(lock, owner.data() + at, owner.size() - at, static_cast<off_t>(at));
+    written = more > 0 || (more < 0 && errno == EINTR);
+    if (more > 0) at += static_cast<std::size_t>(more);
+  }
+  if (!written) {
     const int error = errno;
     ::close(lock);
     throw WriteFailed(fmt::format("cannot write into {}: {}", folder.string(), writeFailureReason(error)));
@@ -135,13 +161,20 @@ int ResultsFolder::acquireLock(const fs::path& folder) {
 
 ResultsFolder ResultsFolder::forOutput(const fs::path& folder) {
   createOutputFolder(folder);
-  return ResultsFolder(folder, acquireLock(folder));
+  ResultsFolder results(folder, acquireLock(folder));
+  static constexpr std::array<std::string_view, 5> folders{"deployment", "flow", "foam", "lbm", "runs"};
+  refuseLinks(folder, [](const fs::path& name) {
+    return std::ranges::find(folders, name.string()) != folders.end();
+  });
+  refuseLinks(folder / "runs", [](const fs::path&) { return true; });
+  return results;
 }
 
 bool ResultsFolder::isMarked(const fs::path& folder) { return isThere(folder, marker); }
 
 ResultsFolder ResultsFolder::fresh(const fs::path& folder) {
-  ResultsFolder results = forOutput(folder);
+  createOutputFolder(folder);
+  ResultsFolder results(folder, acquireLock(folder));
   results.moveFormerRun();
   return results;
 }
@@ -153,9 +186,9 @@ bool ResultsFolder::holdsAsResult(const fs::path& folder, const fs::path& file) 
   return isNameOfFormerRun(first) || isNameOfResult(first);
 }
 
-bool ResultsFolder::moveFormerRun() const {
+bool ResultsFolder::moveFormerRun(Unrecorded unrecorded) const {
   bool moved = false;
-  movingAside(folder_, [&] { moved = moveRunAside(folder_); });
+  movingAside(folder_, [&] { moved = moveRunAside(folder_, unrecorded); });
   return moved;
 }
 
@@ -166,7 +199,7 @@ ResultsFolder ResultsFolder::existing(const fs::path& folder) {
     throw FolderRefused(fmt::format("{} is not a results folder of restenosisFoam", folder.string()));
   ResultsFolder results(folder, acquireLock(folder));
   movingAside(folder, [&] { finishMovingAside(folder); });
-  refuseLinkedFolders(folder);
+  refuseLinks(folder, isNameOfResultFolder);
   return results;
 }
 
@@ -191,25 +224,28 @@ fs::path ResultsFolder::flowCase(double time) const {
 }
 
 template <class Unwanted>
-void ResultsFolder::removeFlowCases(Unwanted&& unwanted) const {
-  if (!fs::is_directory(folder_ / "flow")) return;
+std::vector<fs::path> ResultsFolder::flowCases(Unwanted&& unwanted) const {
   std::vector<fs::path> found;
+  if (!fs::is_directory(folder_ / "flow")) return found;
   for (const auto& entry : fs::directory_iterator(folder_ / "flow")) {
     const auto day = dayOfFlowCase(entry.path());
     if (day && unwanted(entry.path(), *day)) found.push_back(entry.path());
   }
-  for (const fs::path& folder : found) fs::remove_all(folder);
+  return found;
 }
 
 void ResultsFolder::removeFlowCasesAfter(std::optional<double> time) const {
-  removeFlowCases([&](const fs::path& folder, double day) {
+  const auto later = [&](const fs::path& folder, double day) {
     return !time || (day > *time / secondsPerDay && folder != flowCase(*time));
-  });
+  };
+  for (const fs::path& folder : flowCases(later)) fs::remove_all(folder);
 }
 
 void ResultsFolder::removeFlowCasesBut(std::span<const fs::path> wanted) const {
-  removeFlowCases(
-      [&](const fs::path& folder, double) { return std::ranges::find(wanted, folder) == wanted.end(); });
+  const auto unwanted = [&](const fs::path& folder, double) {
+    return std::ranges::find(wanted, folder) == wanted.end();
+  };
+  for (const fs::path& folder : flowCases(unwanted)) removeAllButLogs(folder);
 }
 
 }  // namespace restenosis

@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "FormerRun.h"
 
 namespace restenosis {
 
@@ -39,8 +42,8 @@ class ResultsFolder {
   /// For a run to go on with, which may have been killed before it made its folder: the same, but a folder
   /// that is not there, or empty, is that of a new run.
   static ResultsFolder resumed(const std::filesystem::path& folder);
-  /// For other results than a run's, which lie beside it or in a folder of their own: createOutputFolder, and
-  /// the lock.
+  /// For the results of a comparison or a sweep, some of which are in folders of their own:
+  /// createOutputFolder, and the lock.
   static ResultsFolder forOutput(const std::filesystem::path& folder);
 
   /// Whether a folder is marked as one of results.
@@ -49,9 +52,9 @@ class ResultsFolder {
   /// Whether a file is part of the results in `folder`, which a new run moves aside or removes.
   static bool holdsAsResult(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-  /// Moves the former run's files to `previous/`, as for a new run; tells whether there was one. Throws
-  /// WriteFailed.
-  bool moveFormerRun() const;
+  /// Moves the former run's files to `previous/`, as for a new run; tells whether there was one that has been
+  /// moved. Throws WriteFailed.
+  bool moveFormerRun(Unrecorded unrecorded = Unrecorded::keptUnlessItReplaces) const;
 
   ResultsFolder(ResultsFolder&& other) noexcept;
   ResultsFolder& operator=(ResultsFolder&&) = delete;
@@ -70,15 +73,16 @@ class ResultsFolder {
   /// Removes the cases of later solves than the one at `time` [s], or of all. What in flow/ is not named
   /// after a day is the user's and stays.
   void removeFlowCasesAfter(std::optional<double> time) const;
-  /// Likewise removes all cases but these.
+  /// Likewise removes all cases but these. Of a removed case the folders that hold nothing but logs (log.*)
+  /// stay: they are of attempts that failed, and remarks name them.
   void removeFlowCasesBut(std::span<const std::filesystem::path> wanted) const;
 
  private:
   ResultsFolder(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}
   static int acquireLock(const std::filesystem::path& folder);
-  /// Removes the cases that unwanted(case, day) is true of.
+  /// The cases that unwanted(case, day) is true of.
   template <class Unwanted>
-  void removeFlowCases(Unwanted&& unwanted) const;
+  std::vector<std::filesystem::path> flowCases(Unwanted&& unwanted) const;
 
   std::filesystem::path folder_;
   int lock_;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
+
 #include "AtomicFile.h"
 #include "CsvText.h"
 #include "SecondsPerDay.h"
@@ -40,7 +43,15 @@ void TimeSeries::begin() {
   stream_.close();
   atomicWrite(file_, csv.text());
   stream_.open(file_, std::ios::app);
-  if (!stream_) throw WriteFailed(fmt::format("cannot open {} to add rows", file_.string()));
+  if (!stream_)
+    throw WriteFailed(
+        fmt::format("cannot open {} to add rows: {}", file_.string(), writeFailureReason(errno)));
+}
+
+void TimeSeries::end() {
+  stream_.close();
+  if (!stream_) throw WriteFailed(fmt::format("cannot write {}: {}", file_.string(), std::strerror(errno)));
+  flushFile(file_);
 }
 
 void TimeSeries::append(const TimeSeriesRow& row) {

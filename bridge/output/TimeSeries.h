@@ -17,6 +17,8 @@ class TimeSeries {
   /// Writes the file anew from the rows held: none in a fresh run, those of the checkpoint after `archive`.
   /// Throws WriteFailed.
   void begin();
+  /// Closes the file and has it on the disk. Throws WriteFailed.
+  void end();
   /// Adds a row; `begin` comes first. Throws WriteFailed, naming the column when a value is not finite.
   void append(const TimeSeriesRow& row);
 

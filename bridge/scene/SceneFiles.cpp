@@ -1,6 +1,8 @@
 #include "SceneFiles.h"
 
-#include <string>
+#include <fmt/format.h>
+
+#include <string_view>
 
 #include "IgnoringVisitor.h"
 
@@ -9,23 +11,25 @@ namespace {
 
 class FileCollector : public IgnoringVisitor {
  public:
-  explicit FileCollector(std::vector<std::filesystem::path>& files) : files_(files) {}
+  FileCollector(std::string_view section, std::map<std::string, std::filesystem::path>& files)
+      : section_(section), files_(files) {}
 
-  void file(std::string& value, const ParameterInfo&) override {
-    if (!value.empty()) files_.emplace_back(value);
+  void file(std::string& value, const ParameterInfo& info) override {
+    if (!value.empty()) files_[fmt::format("{}.{}", section_, info.key)] = value;
   }
 
  private:
-  std::vector<std::filesystem::path>& files_;
+  std::string_view section_;
+  std::map<std::string, std::filesystem::path>& files_;
 };
 
 }  // namespace
 
-std::vector<std::filesystem::path> sceneFiles(const Scene& scene) {
+std::map<std::string, std::filesystem::path> sceneFiles(const Scene& scene) {
   Scene copy = scene;  // `describe` hands out references that may be written to
-  std::vector<std::filesystem::path> files;
+  std::map<std::string, std::filesystem::path> files;
   copy.forEachSection([&](auto& section, bool present) {
-    FileCollector collector(files);
+    FileCollector collector(section.section, files);
     if (present) section.describe(collector);
   });
   return files;

@@ -10,6 +10,7 @@
 #include "FileContent.h"
 #include "FlowBackendNames.h"
 #include "IgnoringVisitor.h"
+#include "SceneFiles.h"
 #include "StateArchive.h"
 #include "Units.h"
 
@@ -131,6 +132,12 @@ std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b) {
     }
   }
   return {names.begin(), names.end()};
+}
+
+std::map<std::string, std::string> inputDigests(const Scene& scene) {
+  std::map<std::string, std::string> digests;
+  for (const auto& [name, file] : sceneFiles(scene)) digests[name] = digestOf(contentOf(file));
+  return digests;
 }
 
 std::map<std::string, std::string> flowSettings(const Scene& scene) {

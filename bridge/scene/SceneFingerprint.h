@@ -25,6 +25,10 @@ std::map<std::string, std::string> lastingValues(const Scene& scene);
 /// them models.
 std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b);
 
+/// Digests of the files that a scene names, by "section.key". Throws std::runtime_error when one cannot be
+/// read.
+std::map<std::string, std::string> inputDigests(const Scene& scene);
+
 /// The settings that the scene's backend is given, of its section or of what `scene.fidelity` stands for:
 /// "section.key" -> value as above. Empty where there are none.
 std::map<std::string, std::string> flowSettings(const Scene& scene);

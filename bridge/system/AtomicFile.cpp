@@ -22,6 +22,13 @@ int createAnew(const fs::path& file) {
   return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
+/// Returns the error, 0 for none.
+int flushAndClose(int handle) {
+  const int error = ::fsync(handle) != 0 ? errno : 0;
+  ::close(handle);
+  return error;
+}
+
 /// A file being written; closed and removed unless `commit` is reached.
 class PartialFile {
  public:
@@ -104,11 +111,24 @@ void flushFolder(const fs::path& folder) {
   const fs::path named = folder.empty() ? fs::path(".") : folder;
   const int handle = ::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle < 0) return;  // it may be written into, but not be read
-  const int error = ::fsync(handle) != 0 ? errno : 0;
-  ::close(handle);
+  const int error = flushAndClose(handle);
   const bool unknownHere = error == EINVAL || error == ENOTSUP || error == ENOSYS;
   if (error != 0 && !unknownHere)
     throw WriteFailed(fmt::format("cannot write into {}: {}", named.string(), writeFailureReason(error)));
+}
+
+void flushFile(const fs::path& file) {
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int error = handle < 0 ? errno : flushAndClose(handle);
+  if (error != 0)
+    throw WriteFailed(fmt::format("cannot write {}: {}", file.string(), writeFailureReason(error)));
+}
+
+void removeIfLink(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return;  // nor where nothing is
+  fs::remove(path, error);
+  if (error) throw WriteFailed(fmt::format("cannot replace {}: {}", path.string(), error.message()));
 }
 
 void requireRoom(const fs::path& folder) {

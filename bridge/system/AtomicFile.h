@@ -30,9 +30,16 @@ using PieceWriter = std::function<void(std::string_view)>;
 void atomicWrite(const std::filesystem::path& file, const std::function<void(const PieceWriter&)>& content);
 void atomicWrite(const std::filesystem::path& file, std::string_view text);
 
+/// Makes a file's content survive a power cut. Throws WriteFailed.
+void flushFile(const std::filesystem::path& file);
+
 /// Makes what has been created, renamed and removed in a folder survive a power cut; file systems that cannot
 /// do it are left alone. Throws WriteFailed.
 void flushFolder(const std::filesystem::path& folder);
+
+/// Removes what is there if it is a symbolic link, which what is written next would follow; what it leads to
+/// stays. Throws WriteFailed.
+void removeIfLink(const std::filesystem::path& path);
 
 /// Tries whether a folder has room for a file of 64 KiB, which it removes again: throws WriteFailed where
 /// disk, quota or size limit are used up. For those who wonder why a program failed there that does not say.

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "OpenFoamPresent.h"
+#include "ResultsFolder.h"
 #include "StlFile.h"
 #include "SweptTube.h"
 #include "TubeSurface.h"
@@ -50,6 +51,20 @@ TEST_F(Compare, BothBackendsFindPoiseuillesStressInATube) {
   EXPECT_TRUE(exists("out/compare.vtp"));
   EXPECT_TRUE(exists("out/foam/case.foam"));
   EXPECT_TRUE(exists("out/compareVelocity.csv"));
+}
+
+TEST_F(Compare, IsRefusedInAFolderThatARunWritesInto) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const std::string straight = scene("straight", straightTube);
+  ASSERT_EXIT_STATUS(run({"run", straight, "-o", "done", "--flow", "analytic"}), 0);
+  const auto writing = ResultsFolder::fresh(folder / "out"), going = ResultsFolder::existing(folder / "done");
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"compare", straight, "-o", "out"},
+                                                  {"compare", "done"},
+                                                  {"tradeoff", straight, "-o", "out"}}) {
+    const ProcessEnd end = run(command);
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find("another run (process "), std::string::npos) << end.err;
+  }
 }
 
 TEST_F(Compare, SaysBeforeAnythingElseThatOpenFoamIsMissing) {

@@ -19,6 +19,31 @@ class FoamResume : public WholeProgram, public ::testing::WithParamInterface<con
                              "[coupling]\nschedule = \"onChange\"\nlumenTolerance = \"1 um\"\nremesh = \"" +
                              GetParam() + "\"\n");
   }
+  /// A file that the next solve reads of the case of 74 hours; U and p lie in its last iteration.
+  std::filesystem::path startFile(const std::string& name) const {
+    const auto flow = folder / "out/flow/3.08333";
+    if (name.size() > 1) return flow / name;
+    int last = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(flow))
+      last = std::max(last, std::atoi(entry.path().filename().c_str()));
+    return flow / std::to_string(last) / name;
+  }
+  static std::string flipped(std::string text) {
+    text[text.size() / 2] = static_cast<char>(text[text.size() / 2] ^ 4);
+    return text;
+  }
+  static std::string zeroed(std::string text) {
+    const std::size_t size = std::min<std::size_t>(4096, text.size() / 2);
+    return text.replace(text.size() - size, size, size, '\0');
+  }
+  void expectRefusedFor(const std::string& text, const std::string& why) const {
+    const ProcessEnd end = run({"run", text, "-o", "out", "--resume"});
+    EXPECT_EXIT_STATUS(end, 2);
+    EXPECT_NE(end.err.find("goes on from the flow in out/flow/3.08333, where "), std::string::npos)
+        << end.err;
+    EXPECT_NE(end.err.find(why), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find("--flow-from-rest"), std::string::npos) << end.err;
+  }
 };
 
 TEST_P(FoamResume, aKilledRunStartsFromTheCaseThatItsCheckpointKnows) {
@@ -47,6 +72,34 @@ TEST_P(FoamResume, aKilledRunStartsFromTheCaseThatItsCheckpointKnows) {
   EXPECT_EXIT_STATUS(lost, 2);
   EXPECT_NE(lost.err.find("goes on from the flow in out/flow/3.08333"), std::string::npos) << lost.err;
   std::filesystem::rename(folder / "out/elsewhere", folder / "out/flow");
+  for (const char* file : {"constant/polyMesh/points", "constant/polyMesh/boundary", "U", "p"}) {
+    const auto damaged = startFile(file);
+    const std::string intact = readText(damaged);
+    for (const std::string& content : {flipped(intact), zeroed(intact), std::string()}) {
+      SCOPED_TRACE(damaged.string() + ": " + std::to_string(content.size()));
+      writeText(damaged, content);
+      expectRefusedFor(text, damaged.filename().string() + " has been changed");
+    }
+    std::filesystem::remove(damaged);
+    expectRefusedFor(text, damaged.filename().string());
+    writeText(damaged, intact);
+  }
+  std::filesystem::create_directory(folder / "out/flow/3.08333/99999");
+  expectRefusedFor(text, "99999/U");
+  std::filesystem::remove(folder / "out/flow/3.08333/99999");
+
+  // Lost, but not the run with it
+  std::filesystem::copy(folder / "out", folder / "lost", std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder / "lost/flow/3.08333/constant/polyMesh/owner");
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "lost", "--resume", "--flow-from-rest"}), 0);
+  EXPECT_EQ(summary("lost")["sceneFingerprint"], "");
+  EXPECT_EQ(summary("lost")["flow"]["solvesDone"], flow["solvesDone"]);
+  int said = 0;
+  const auto after = summary("lost");
+  for (const std::string remark : after["remarks"])
+    said += remark.starts_with("the flow goes on from rest on a new mesh") &&
+            remark.find("owner") != std::string::npos;
+  EXPECT_EQ(said, 1) << after["remarks"];
 
   ASSERT_EXIT_STATUS(run({"run", text, "-o", "out", "--resume"}), 0);
   EXPECT_EQ(digest("out"), digest("reference"));

@@ -1,9 +1,14 @@
 #include <random>
 #include <thread>
 
+#include "Checkpoint.h"
 #include "ResultsFolder.h"
 #include "Run.h"
+#include "SceneFingerprint.h"
 #include "SceneReader.h"
+#include "StlFile.h"
+#include "StrutSolids.h"
+#include "Units.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -172,6 +177,78 @@ TEST_F(Resume, RefusesACheckpointThatIsDamagedOrOfAnotherScene) {
   expectRefused({"--set", "vessel.length=0.3 mm"}, "another scene");
   expectRefused({"--set", "scene.duration=2 h"}, "past scene.duration = 0.08333 d");
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+}
+
+TEST_F(Resume, NamesAnInputFileThatHasBeenExchanged) {
+  const std::string tiny = scene(
+      "tiny", with(with(with(tinyScene, "design = \"ring\"", "file = \"ring.stl\""), "\"4 d\"", "\"2 h\""),
+                   "deploymentSteps = 8", "deploymentSteps = 1"));
+  const auto writeRing = [&](double width) {
+    writeStl(folder / "ring.stl", support::squareRing(0.2e-3, width, 0.24e-3), 1e-3);
+  };
+  writeRing(60e-6);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--flow", "none"}), 0);
+  writeRing(50e-6);
+  const auto before = contents("out");
+  const ProcessEnd end = run({"run", tiny, "-o", "out", "--flow", "none", "--resume"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_TRUE(end.err.ends_with("ring.stl (stent.file) has been changed since the run was started\n"))
+      << end.err;
+  EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--flow", "none", "--resume", "--set", "scene.seed=2"}),
+                     2);
+  EXPECT_TRUE(contents("out") == before) << "something has changed in the results";
+  std::filesystem::rename(folder / "ring.stl", folder / "elsewhere.stl");
+  const ProcessEnd lost = run({"run", tiny, "-o", "out", "--flow", "none", "--resume"});
+  EXPECT_EXIT_STATUS(lost, 2);
+  EXPECT_NE(lost.err.find("ring.stl does not exist"), std::string::npos) << lost.err;
+  writeRing(60e-6);
+  EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--flow", "none", "--resume"}), 0);
+}
+
+/// Version, compiler and processor are part of what a state depends on.
+TEST_F(Resume, OfAStateThatAnotherProgramHasSavedSaysSo) {
+  const std::string tiny = scene("tiny", tinyScene);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", "scene.duration=2 d"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--set", "scene.duration=3 d", "--resume"}), 0);
+  EXPECT_NE(summary("out")["sceneFingerprint"], "");
+  EXPECT_TRUE(summary("out")["remarks"].empty());
+
+  const std::string fingerprint = checkpointFingerprint(SceneReader(Units()).readFile(folder / tiny, {}));
+  StoredState stored = Checkpoint(folder / "out/checkpoint").loadWithOrigin(fingerprint);
+  for (const char* trait : {"version", "compiler", "instructions", "processor"})
+    EXPECT_EQ(stored.origin.traits.count(trait), 1U) << trait;
+  stored.origin.traits["compiler"] = "of old";
+  Checkpoint(folder / "out/checkpoint", stored.origin).save(fingerprint, stored.bytes);
+  const ProcessEnd end = run({"run", tiny, "-o", "out", "--set", "scene.duration=3.5 d", "--resume"});
+  EXPECT_EXIT_STATUS(end, 0);
+  EXPECT_NE(end.err.find("(before: of old)"), std::string::npos) << end.err;
+  EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
+  EXPECT_EQ(summary("out")["sceneFingerprint"], "");
+  ASSERT_EQ(summary("out")["remarks"].size(), 1U) << summary("out")["remarks"];
+  const std::string remark = summary("out")["remarks"][0];
+  EXPECT_TRUE(remark.starts_with("resumed on day 3 by another program or machine")) << remark;
+}
+
+TEST_F(Resume, ReplacesLinksAmongItsResultsAndDoesNotFollowThem) {
+  const std::string tiny = scene("tiny", with(tinyScene, "\"4 d\"", "\"2 h\""));
+  ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out"}), 0);
+  const std::string files[] = {"summary.json", "timeSeries.csv", "scene.toml", "checkpoint/state.bin",
+                               "tissue/tissue_000000.vtp"};
+  std::filesystem::create_directory(folder / "important");
+  for (std::size_t n = 0; n < std::size(files); ++n) {
+    const auto target = folder / ("important/" + std::to_string(n));
+    std::filesystem::rename(folder / ("out/" + files[n]), target);
+    std::filesystem::create_symlink(target, folder / ("out/" + files[n]));
+  }
+  const auto before = contents("important");
+  EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume", "--set", "scene.title=Other"}), 0);
+  EXPECT_TRUE(contents("important") == before);
+  std::filesystem::create_directory_symlink(folder / "important", folder / "out/flow");
+  const ProcessEnd end = run({"run", tiny, "-o", "out", "--resume"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(end.err.find("out/flow is a link"), std::string::npos) << end.err;
+  EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out"}), 0);
+  EXPECT_TRUE(contents("important") == before);
 }
 
 TEST_F(Resume, AFlowThatFailsForItsSettingsIsSolvedWithOthers) {

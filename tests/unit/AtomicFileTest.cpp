@@ -60,5 +60,21 @@ TEST(AtomicFile, CannotCreateAFolderWhereAFileIs) {
   EXPECT_THROW(createFolder(folder / "file/below"), WriteFailed);
 }
 
+TEST(AtomicFile, LinksAreReplacedAndRemovedWithoutWhatTheyLeadTo) {
+  TemporaryFolder folder;
+  writeText(folder / "important", "mine");
+  for (const char* name : {"file", "file.partial"})
+    std::filesystem::create_symlink(folder / "important", folder / name);
+  atomicWrite(folder / "file", "written");
+  EXPECT_EQ(readText(folder / "file"), "written");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "file"));
+  std::filesystem::create_symlink(folder / "important", folder / "link");
+  removeIfLink(folder / "link");
+  EXPECT_FALSE(std::filesystem::exists(folder / "link"));
+  EXPECT_NO_THROW(removeIfLink(folder / "nowhere"));
+  removeIfLink(folder / "important");
+  EXPECT_EQ(readText(folder / "important"), "mine");
+}
+
 }  // namespace
 }  // namespace restenosis

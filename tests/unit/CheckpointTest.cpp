@@ -38,6 +38,24 @@ TEST(Checkpoint, GivesBackWhatWasSaved) {
   EXPECT_EQ(checkpoint.load("scene"), "");
 }
 
+TEST(Checkpoint, KeepsWhereAStateComesFrom) {
+  TemporaryFolder folder;
+  const CheckpointOrigin there{{{"compiler", "11"}}, {{"stent.file", "aa"}, {"vessel.agents", "bb"}}};
+  const CheckpointOrigin here{{{"compiler", "12"}}, {{"stent.file", "aa"}, {"vessel.agents", "cc"}}};
+  Checkpoint(folder.path(), there).save("scene", state);
+  const Checkpoint checkpoint(folder.path(), here);
+  const StoredState stored = checkpoint.loadWithOrigin("scene");
+  EXPECT_EQ(stored.bytes, state);
+  EXPECT_EQ(stored.origin.traits, there.traits);
+  EXPECT_EQ(stored.origin.inputs, there.inputs);
+  try {
+    checkpoint.load("other");
+    ADD_FAILURE() << "the checkpoint was accepted";
+  } catch (const CheckpointRefused& refused) {
+    EXPECT_EQ(refused.changedInputs, std::vector<std::string>{"vessel.agents"});
+  }
+}
+
 TEST(Checkpoint, IsUnharmedByAPartialOne) {
   TemporaryFolder folder;
   const Checkpoint checkpoint(folder.path());

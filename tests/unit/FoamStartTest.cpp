@@ -50,6 +50,22 @@ TEST_F(FoamStartTest, theLastIterationIsRead) {
   EXPECT_EQ(solution.mesh.points, mesh.points);
 }
 
+TEST_F(FoamStartTest, whatIsReadIsNamed) {
+  writeSolved(scratch.path());
+  const auto files = foamSolutionFiles(scratch.path());
+  EXPECT_EQ(files.size(), 7U);
+  for (const auto& file : files) {
+    const auto aside = scratch / "aside";
+    std::filesystem::rename(scratch.path() / file, aside);
+    EXPECT_ANY_THROW({
+      if (readFoamSolution(scratch.path()).mesh.patches.empty()) throw std::runtime_error("no patches");
+    }) << file;
+    std::filesystem::rename(aside, scratch.path() / file);
+  }
+  std::filesystem::create_directory(scratch / "99");
+  EXPECT_NE(foamSolutionFiles(scratch.path()), files);
+}
+
 TEST_F(FoamStartTest, whatIsMissingOrDoesNotFitIsRefused) {
   EXPECT_THROW(readFoamSolution(scratch / "nowhere"), std::runtime_error);
   writePolyMesh(mesh, scratch.path());

@@ -56,6 +56,26 @@ TEST(ResultsFolder, RemovesTheCasesOfLaterSolves) {
   EXPECT_TRUE(fs::exists(folder / "results/flow/9 my own"));
 }
 
+/// Remarks name the logs of attempts that failed.
+TEST(ResultsFolder, KeepsTheLogsOfFailedAttemptsOfCasesThatItRemoves) {
+  TemporaryFolder folder;
+  const auto results = ResultsFolder::fresh(folder / "results");
+  const fs::path tried = results.flowCase(86400), sound = results.flowCase(2 * 86400);
+  for (const fs::path& flow : {tried, sound})
+    for (const char* inner : {"system", "constant/polyMesh", "0", "12"}) fs::create_directories(flow / inner);
+  for (const char* log : {"firstAttempt/log.snappyHexMesh", "movedMesh/log.checkMesh", "log.simpleFoam"}) {
+    fs::create_directories((tried / log).parent_path());
+    writeText(tried / log, log);
+  }
+  results.removeFlowCasesBut(std::array{results.flowCase(3 * 86400)});
+  EXPECT_FALSE(fs::exists(sound));
+  EXPECT_EQ(readText(tried / "firstAttempt/log.snappyHexMesh"), "firstAttempt/log.snappyHexMesh");
+  EXPECT_EQ(readText(tried / "movedMesh/log.checkMesh"), "movedMesh/log.checkMesh");
+  EXPECT_EQ(std::distance(fs::directory_iterator(tried), {}), 2);
+  results.removeFlowCasesAfter(std::nullopt);
+  EXPECT_FALSE(fs::exists(tried));
+}
+
 TEST(ResultsFolder, KnowsWhatANewRunWouldMoveAside) {
   TemporaryFolder folder;
   const fs::path results = folder / "results";
@@ -225,6 +245,22 @@ TEST_F(FinishedTwice, LinksAreNotFollowed) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "important"), {}), 4);
   for (const char* name : {"summary.json", "3.5", "tissue_000000.vtp", "partial"})
     EXPECT_EQ(readText(folder / "important" / name), name);
+}
+
+TEST(ResultsFolder, LinksAmongOtherResultsAreRefused) {
+  TemporaryFolder folder;
+  fs::create_directory(folder / "important");
+  for (const char* name : {"flow", "foam", "lbm", "deployment", "runs", "runs/a"}) {
+    const fs::path link = folder / "sweep" / name;
+    ResultsFolder::forOutput(folder / "sweep");
+    fs::create_directories(link.parent_path());
+    fs::create_directory_symlink(folder / "important", link);
+    const auto message = refusal([&] { ResultsFolder::forOutput(folder / "sweep"); });
+    EXPECT_NE(message.find(link.string() + " is a link"), std::string::npos) << message;
+    fs::remove(link);
+  }
+  fs::create_directory_symlink(folder / "important", folder / "sweep/mine");
+  EXPECT_NO_THROW(ResultsFolder::forOutput(folder / "sweep"));
 }
 
 TEST(ResultsFolder, TheLockIsNotTakenThroughALink) {

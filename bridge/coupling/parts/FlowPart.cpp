@@ -55,7 +55,8 @@ void FlowPart::run(const Instant& now) {
   const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
   const bool asBefore = settings_ == world_.flow.settings;
   // What other settings have left is neither the mesh nor the flow that these would
-  if (world_.flow.solves > 0 && asBefore) backend_->startFrom(world_.folder.flowCase(world_.flow.time));
+  if (world_.flow.solves > 0 && asBefore && !world_.flow.fromRest)
+    backend_->startFrom(world_.folder.flowCase(world_.flow.time));
   world_.flow.last = backend_->solve(lumen, conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
   if (world_.flow.solves > 0 && !asBefore) {
@@ -66,6 +67,8 @@ void FlowPart::run(const Instant& now) {
   world_.flow.settings = settings_;
   for (const auto& text : world_.flow.last->remarks) remark(now, text);
   world_.flow.time = now.time;
+  world_.flow.fromRest = false;
+  noteStartFiles(folder);
   ++world_.flow.solves;
   if (world_.flow.last->meshMoved) ++world_.flow.meshesMoved;
   if (const auto& reason = world_.flow.last->remeshedBecause; !reason.empty())
@@ -74,6 +77,19 @@ void FlowPart::run(const Instant& now) {
   world_.changes.touch(Quantity::wallTraction);
   if (world_.scene.output.keepFlowCases == "last" && std::filesystem::exists(folder))
     world_.folder.removeFlowCasesBut(std::array{folder, world_.caseInCheckpoint});
+}
+
+FileDigests FlowPart::startFiles(const std::filesystem::path& formerCase) const {
+  if (!backend_->needsFormerCase()) return {};
+  return digestsOf(formerCase, backend_->filesToStartFrom(formerCase));
+}
+
+void FlowPart::noteStartFiles(const std::filesystem::path& folder) {
+  try {
+    world_.flow.startFiles = startFiles(folder);
+  } catch (const std::runtime_error&) {
+    world_.flow.startFiles.clear();  // the next solve says so when it comes to read them
+  }
 }
 
 void FlowPart::requireResolution() const {

@@ -25,12 +25,17 @@ class FlowPart : public Part {
   /// Throws FlowFailed, or Occluded when the lumen has closed.
   void run(const Instant& now) override;
 
+  /// Digests of what a solve would read of a former case, as it is now; empty where that is nothing. Throws
+  /// std::runtime_error where it cannot be read.
+  FileDigests startFiles(const std::filesystem::path& formerCase) const;
+
  private:
   /// Share of the undecided cells where the lumen has moved by more than the tolerance since the last solve.
   double undecidedShareMoved() const;
   /// Refuses a lumen that is too narrow, too short or too large for the backend as the scene gives it. Later
   /// ones may be narrower: tissue grows. Throws FlowFailed.
   void requireResolution() const;
+  void noteStartFiles(const std::filesystem::path& folder);
   void remark(const Instant& now, const std::string& text);
 
   World& world_;

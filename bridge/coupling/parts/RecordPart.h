@@ -21,6 +21,8 @@ class RecordPart : public Part {
 
   /// Starts the files: empty ones, or those of the state that was read by `archive`.
   void begin();
+  /// Nothing more is recorded. Throws WriteFailed.
+  void end() { timeSeries_.end(); }
   const TimeSeries& timeSeries() const { return timeSeries_; }
 
   template <class Archive>

@@ -118,6 +118,10 @@ void FoamBackend::startFrom(const fs::path& formerCase) { former_ = fs::absolute
 
 bool FoamBackend::needsFormerCase() const { return settings_.warmStart || remeshing_ == Remeshing::onDemand; }
 
+std::vector<fs::path> FoamBackend::filesToStartFrom(const fs::path& formerCase) const {
+  return foamSolutionFiles(formerCase);
+}
+
 std::vector<Vec3> FoamBackend::velocities(const std::vector<Vec3>& points) const {
   if (solved_.empty()) return {};
   return foamVelocities(solved_, points);

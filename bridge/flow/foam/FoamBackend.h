@@ -34,6 +34,7 @@ class FoamBackend : public FlowBackend {
                      const std::filesystem::path& caseFolder) override;
   void startFrom(const std::filesystem::path& formerCase) override;
   bool needsFormerCase() const override;
+  std::vector<std::filesystem::path> filesToStartFrom(const std::filesystem::path& formerCase) const override;
   /// Read from the case of the last solution.
   std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override;
 

@@ -73,6 +73,12 @@ FoamSolution readFoamSolution(const fs::path& caseFolder) {
   return solution;
 }
 
+std::vector<fs::path> foamSolutionFiles(const fs::path& caseFolder) {
+  const fs::path mesh = "constant/polyMesh", fields = lastIteration(caseFolder).filename();
+  return {mesh / "points",   mesh / "faces", mesh / "owner", mesh / "neighbour",
+          mesh / "boundary", fields / "U",   fields / "p"};
+}
+
 FoamStart::FoamStart(const FoamSolution& solution, std::vector<Vec3> centres)
     : solution_(solution), centres_(std::move(centres)) {}
 

@@ -17,6 +17,9 @@ struct FoamSolution {
 /// missing, not binary, or does not fit the other.
 FoamSolution readFoamSolution(const std::filesystem::path& caseFolder);
 
+/// The files that this reads, relative to the case. Throws std::runtime_error where no iteration is there.
+std::vector<std::filesystem::path> foamSolutionFiles(const std::filesystem::path& caseFolder);
+
 /// A flow that another is started from: each cell of the new mesh starts with the values of the nearest
 /// place.
 class FoamStart {

@@ -66,6 +66,17 @@ std::string missingFoamTemplate() {
   return "";
 }
 
+std::vector<fs::path> foamTemplateFiles(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* part : parts) {
+    if (fs::is_regular_file(folder / part)) files.emplace_back(part);
+    if (!fs::is_directory(folder / part)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / part))
+      if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder));
+  }
+  return files;
+}
+
 void copyFoamTemplate(const fs::path& from, const fs::path& to) {
   // Filled under another name: whenever the program is killed, the folder is whole or not there
   fs::path partial = to.has_filename() ? to : to.parent_path();

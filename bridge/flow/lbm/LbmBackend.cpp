@@ -10,6 +10,7 @@
 #include <memory>
 #include <numbers>
 
+#include "AtomicFile.h"
 #include "FlowBackendNames.h"
 #include "LatticeSampler.h"
 #include "LumenShape.h"
@@ -45,8 +46,10 @@ class Log {
  public:
   explicit Log(const std::filesystem::path& folder) {
     if (folder.empty()) return;
+    removeIfLink(folder);
     std::filesystem::create_directories(folder);
     file_ = folder / "log.lbm";
+    removeIfLink(file_);
     stream_.open(file_);
   }
   template <class... Arguments>
