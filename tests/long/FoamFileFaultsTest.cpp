@@ -1,0 +1,23 @@
+// A full disk or a crash amid the case of an OpenFOAM solve.
+#include "FileFaults.h"
+#include "OpenFoamPresent.h"
+
+namespace restenosis {
+namespace {
+
+class FoamFileFaults : public FileFaults, public ::testing::WithParamInterface<const char*> {};
+
+/// Three solves, each from the case of the one before.
+TEST_P(FoamFileFaults, LeaveARunThatEndsAsTheWholeOne) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  scene("short", with(with(with(shortScene, "\"analytic\"", "\"foam\""), "6 h", "4 h"), "[output]",
+                      "[foam]\ncellSize = \"20 um\"\nwallLevel = 0\nstrutLevel = 1\n"
+                      "[coupling]\nlumenTolerance = \"0.02 um\"\n[output]"));
+  expectEveryFaultMended(GetParam(), 13);
+}
+
+INSTANTIATE_TEST_SUITE_P(kinds, FoamFileFaults, ::testing::Values("fail", "kill"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace restenosis
