@@ -2,19 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <set>
+#include <stdexcept>
 
 #include "AtomicFile.h"
-#include "FileContent.h"
 #include "StateArchive.h"
 
 namespace restenosis {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Of a file of any size, a piece at a time: a copy of the whole takes ten times as long as its digest.
+std::string digestOfFile(const fs::path& file) {
+  std::ifstream stream;
+  stream.rdbuf()->pubsetbuf(nullptr, 0);
+  stream.open(file, std::ios::binary);
+  std::vector<char> piece(1 << 18);
+  HashingArchive hash;
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+    hash.bytes(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  // At the end of a file that was read whole only eof and fail are set
+  if (!stream.eof() || stream.bad())
+    throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
+  return hash.digest();
+}
+
+}  // namespace
+
 FileDigests digestsOf(const fs::path& folder, const std::vector<fs::path>& files) {
   FileDigests digests;
-  for (const fs::path& file : files) digests[file.string()] = digestOf(contentOf(folder / file));
+  for (const fs::path& file : files) digests[file.string()] = digestOfFile(folder / file);
   return digests;
 }
 
