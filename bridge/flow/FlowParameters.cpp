@@ -15,9 +15,8 @@ void FlowParameters::describe(ParameterVisitor& p) {
            {.key = "drive", .source = "model 8", .description = "what stays fixed while the lumen narrows"});
   p.quantity(meanVelocity, {.key = "meanVelocity",
                             .unit = "m/s",
-                            .minimum = 0,
+                            .minimum = slowest,
                             .maximum = 10,
-                            .minimumAllowed = false,
                             .source = "ISR3D",
                             .description = "mean velocity in the undeformed lumen; sets the flow rate"});
   p.quantity(pressureGradient,
@@ -48,11 +47,13 @@ void FlowParameters::describe(ParameterVisitor& p) {
                                            "lumen's inlet and behind its outlet"});
 }
 
-double FlowParameters::reynoldsNumber(double lumenDiameter) const {
+double FlowParameters::drivenVelocity(double lumenDiameter) const {
   const double radius = lumenDiameter / 2;
-  const double velocity = drive == "flowRate"
-                              ? meanVelocity
-                              : pressureGradient * radius * radius / (8 * density * kinematicViscosity);
+  return pressureGradient * radius * radius / (8 * density * kinematicViscosity);
+}
+
+double FlowParameters::reynoldsNumber(double lumenDiameter) const {
+  const double velocity = drive == "flowRate" ? meanVelocity : drivenVelocity(lumenDiameter);
   return velocity * lumenDiameter / kinematicViscosity;
 }
 

@@ -13,6 +13,11 @@ struct FlowParameters {
   static constexpr std::string_view section = "flow";
   static constexpr std::string_view summary = "Steady laminar blood flow through the lumen";
 
+  /// Least mean velocity [m/s] (assumed). OpenFOAM adds 1e-20 to the norms of residuals, which counts in
+  /// slower flow: at 1e-12 m/s the stress in a tube was found 4 % too high, at 1e-9 m/s it is that of any
+  /// velocity.
+  static constexpr double slowest = 1e-9;
+
   std::string backend = "foam";
   std::string drive = "flowRate";
   double meanVelocity = 0.133;         ///< in the undeformed lumen [m/s]
@@ -27,6 +32,8 @@ struct FlowParameters {
   FlowConditions conditions(double lumenDiameter) const;
   /// U D / nu in the undeformed lumen; at a fixed gradient with the mean velocity of Poiseuille's law.
   double reynoldsNumber(double lumenDiameter) const;
+  /// At a fixed gradient, the mean velocity of Poiseuille's law in the undeformed lumen [m/s].
+  double drivenVelocity(double lumenDiameter) const;
 };
 
 }  // namespace restenosis

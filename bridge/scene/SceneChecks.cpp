@@ -146,7 +146,14 @@ Finding nitricOxideFalls(const Scene& s, const Units&) {
 }
 
 Finding driveWithoutGradient(const Scene& s, const Units&) {
-  if (!s.flow || s.flow->drive != "pressureGradient" || s.flow->pressureGradient > 0) return {};
+  if (!s.flow || s.flow->drive != "pressureGradient") return {};
+  const double velocity = s.flow->drivenVelocity(s.vessel.lumenDiameter);
+  if (velocity >= FlowParameters::slowest) return {};
+  if (s.flow->pressureGradient > 0)
+    return fmt::format(
+        "'pressureGradient' in [flow] drives {:.3g} m/s through the lumen; allowed is what drives "
+        "at least {:g} m/s",
+        velocity, FlowParameters::slowest);
   return "'pressureGradient' in [flow] is 0, so nothing flows with drive = \"pressureGradient\"; take [flow] "
          "out "
          "instead";
@@ -201,7 +208,9 @@ const std::vector<Check>& checks() {
       {{"endothelium.nitricOxideTransition", "endothelium.nitricOxideSlope",
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
-      {{"flow.pressureGradient", "flow.drive"}, driveWithoutGradient},
+      {{"flow.pressureGradient", "flow.drive", "flow.density", "flow.kinematicViscosity",
+        "vessel.lumenDiameter"},
+       driveWithoutGradient},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };

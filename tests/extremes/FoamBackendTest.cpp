@@ -103,9 +103,10 @@ TEST(FoamBackendFaults, aPointOutsideIsFound) {
   EXPECT_SAYS(outsideBlock, "snappyHexMesh");
   EXPECT_SAYS(outsideBlock, "not inside the mesh");
   // In a corner of the block, outside the lumen: OpenFOAM meshes what is around it, and all is well
-  EXPECT_SAYS(
-      meshingFailure([](TriSurface&, DictionaryText& p) { p.set("insidePoint", "(-0.951e-3 -0.947e-3 0.611e-3)"); }),
-      "leaks");
+  EXPECT_SAYS(meshingFailure([](TriSurface&, DictionaryText& p) {
+                p.set("insidePoint", "(-0.951e-3 -0.947e-3 0.611e-3)");
+              }),
+              "leaks");
 }
 
 /// The volume is that of the lumen measured, so that the ends alone tell.

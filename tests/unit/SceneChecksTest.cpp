@@ -190,6 +190,12 @@ TEST_F(SceneChecksTest, TheVesselIsLongEnoughForItsFlow) {
 TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
   EXPECT_STARTS(finding(vessel + "[mechanics]\n[cellCycle]\ng1Spread = \"6 h\"\n"),
                 "x.toml:8: 'g1Spread' in [cellCycle] is 6 h");
+  // Slower flow than the residuals' norms can tell from none
+  EXPECT_NE(finding(vessel + "[flow]\nmeanVelocity = \"1e-12 m/s\"\n").find("at least 1e-09 m/s"),
+            std::string::npos);
+  EXPECT_NE(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"1e-6 Pa/m\"\n")
+                .find("at least 1e-09 m/s"),
+            std::string::npos);
   EXPECT_STARTS(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"0 Pa/m\"\n"),
                 "x.toml:8: 'pressureGradient' in [flow] is 0");
   const std::string cycle = vessel + "[mechanics]\n[cellCycle]\n[endothelium]\n";  // lines 6 to 8

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "FlowForecast.h"
 #include "FlowResolution.h"
+#include "PoiseuilleError.h"
 #include "SceneFingerprint.h"
 #include "SecondsPerDay.h"
 #include "StressReaders.h"
@@ -15,6 +17,13 @@
 #include "Units.h"
 
 namespace restenosis {
+
+namespace {
+
+/// Mean error of the stress in a plain tube, relative, from which on it is no solution (assumed).
+constexpr double farFromPoiseuille = 0.5;
+
+}  // namespace
 
 FlowPart::FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
     : world_(world), backend_(std::move(backend)), settings_(flowSettings(world.scene)) {}
@@ -58,6 +67,7 @@ void FlowPart::run(const Instant& now) {
   if (world_.flow.solves > 0 && asBefore && !world_.flow.fromRest)
     backend_->startFrom(world_.folder.flowCase(world_.flow.time));
   world_.flow.last = backend_->solve(lumen, conditions, folder);
+  requirePoiseuille(conditions, folder);
   world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
   if (world_.flow.solves > 0 && !asBefore) {
     remark(now, fmt::format("solved with other settings than before: {}",
@@ -95,6 +105,19 @@ void FlowPart::noteStartFiles(const std::filesystem::path& folder) {
 void FlowPart::requireResolution() const {
   if (world_.hasLoadedLumen()) return;  // looked at before the run
   if (const auto problem = resolutionProblem(world_.scene, Units())) throw FlowFailed(problem->message, {});
+}
+
+void FlowPart::requirePoiseuille(const FlowConditions& conditions,
+                                 const std::filesystem::path& folder) const {
+  const VesselParameters& vessel = world_.scene.vessel;
+  if (!obeysPoiseuille(world_.scene)) return;
+  const auto error = poiseuilleError(world_.flow.last->wall, vessel.lumenDiameter, vessel.length, conditions);
+  if (!error || std::abs(error->mean) < farFromPoiseuille) return;
+  throw FlowFailed(
+      fmt::format("the wall shear stress in this plain tube is off Poiseuille's law, {:.3g} Pa, by "
+                  "{:+.0f} % on the average: the solution is none",
+                  error->exact, 100 * error->mean),
+      folder);
 }
 
 void FlowPart::remark(const Instant& now, const std::string& text) {

@@ -36,6 +36,8 @@ class FlowPart : public Part {
   /// ones may be narrower: tissue grows. Throws FlowFailed.
   void requireResolution() const;
   void noteStartFiles(const std::filesystem::path& folder);
+  /// Throws FlowFailed where the exact answer is known, and the last solution is far from it.
+  void requirePoiseuille(const FlowConditions& conditions, const std::filesystem::path& folder) const;
   void remark(const Instant& now, const std::string& text);
 
   World& world_;
