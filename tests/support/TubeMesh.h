@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,9 +32,9 @@ inline PolyMesh tubeMesh(double radius, double length, int sides, int rings, int
   };
   mesh.faceStart = {0};
   const auto face = [&](std::initializer_list<std::int32_t> corners, std::int32_t owner, std::int32_t other) {
-    for (const auto c : corners)
-      if (mesh.faceCorners.size() == static_cast<std::size_t>(mesh.faceStart.back()) ||
-          mesh.faceCorners.back() != c)
+    for (const auto c : corners)  // a face at the axis has the axis for a corner once
+      if (std::find(mesh.faceCorners.begin() + mesh.faceStart.back(), mesh.faceCorners.end(), c) ==
+          mesh.faceCorners.end())
         mesh.faceCorners.push_back(c);
     mesh.faceStart.push_back(static_cast<std::int32_t>(mesh.faceCorners.size()));
     mesh.owner.push_back(owner);

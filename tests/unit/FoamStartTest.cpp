@@ -79,7 +79,7 @@ TEST_F(FoamStartTest, whatIsMissingOrDoesNotFitIsRefused) {
 TEST_F(FoamStartTest, cellsStartWithTheValuesOfTheNearestPlace) {
   const FoamSolution solution{mesh, velocity, pressure};
   std::vector<Vec3> centres = mesh.cellCentres();
-  for (Vec3& c : centres) c += Vec3(0.01, -0.01, 0.02);
+  for (Vec3& c : centres) c += Vec3(0.01e-3, -0.01e-3, 0.02e-3);
   PolyMesh reversed = mesh;
   const auto last = static_cast<std::int32_t>(mesh.cells()) - 1;
   for (auto& c : reversed.owner) c = last - c;

@@ -27,7 +27,7 @@ class InnerMotionTest : public ::testing::Test {
 };
 
 TEST_F(InnerMotionTest, aRigidMotionAcrossTheVesselIsCarriedEverywhere) {
-  const Vec3 shift(0.003, -0.002, 0);
+  const Vec3 shift(3e-6, -2e-6, 0);
   for (std::size_t i = 0; i < freedom.size(); ++i)
     if (freedom[i] == PointFreedom::given) displacements[i] = shift;
   moveInside(mesh, freedom, displacements);
@@ -38,22 +38,22 @@ TEST_F(InnerMotionTest, noneMovesFartherThanTheWallAndTheEndsKeepTheirPlanes) {
   for (std::size_t i = 0; i < freedom.size(); ++i)
     if (freedom[i] == PointFreedom::given) {
       const Vec3& p = mesh.points[i];
-      const double bump = std::exp(-50.0 * std::pow(p.z() - 0.6, 2));
-      displacements[i] = bump * Vec3(-0.02 * p.x(), -0.02 * p.y(), 0.01);
+      const double bump = std::exp(-50.0 * std::pow(1e3 * p.z() - 0.6, 2));
+      displacements[i] = bump * Vec3(-0.02 * p.x(), -0.02 * p.y(), 0.01e-3);
     }
   moveInside(mesh, freedom, displacements);
   double nearWall = 0.0, onAxis = 0.0;
   for (std::size_t i = 0; i < freedom.size(); ++i) {
-    EXPECT_LT(displacements[i].norm(), 0.021);
+    EXPECT_LT(displacements[i].norm(), 0.021e-3);
     if (freedom[i] == PointFreedom::inPlane) {
       EXPECT_EQ(displacements[i].z(), 0.0);
     }
     const double r = std::hypot(mesh.points[i].x(), mesh.points[i].y());
-    if (r > 0.6 && r < 0.7) nearWall = std::max(nearWall, displacements[i].norm());
-    if (r < 1e-9) onAxis = std::max(onAxis, std::hypot(displacements[i].x(), displacements[i].y()));
+    if (r > 0.6e-3 && r < 0.7e-3) nearWall = std::max(nearWall, displacements[i].norm());
+    if (r < 1e-12) onAxis = std::max(onAxis, std::hypot(displacements[i].x(), displacements[i].y()));
   }
-  EXPECT_GT(nearWall, 0.01);
-  EXPECT_LT(onAxis, 1e-4);
+  EXPECT_GT(nearWall, 0.01e-3);
+  EXPECT_LT(onAxis, 1e-7);
 }
 
 }  // namespace

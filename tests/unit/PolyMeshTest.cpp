@@ -38,10 +38,10 @@ TEST(PolyMesh, cellCentresLieInTheirCells) {
   const auto centres = mesh.cellCentres();
   for (std::size_t c = 0; c < centres.size(); ++c) {
     const int layer = static_cast<int>(c) / (3 * 12), ring = static_cast<int>(c) / 12 % 3;
-    EXPECT_NEAR(centres[c].z(), 0.3 * (layer + 0.5), 1e-12);
+    EXPECT_NEAR(centres[c].z(), 0.3e-3 * (layer + 0.5), 1e-15);
     const double r = std::hypot(centres[c].x(), centres[c].y());
-    EXPECT_GT(r, 0.3 * ring);
-    EXPECT_LT(r, 0.32 * (ring + 1));
+    EXPECT_GT(r, 0.3e-3 * ring);
+    EXPECT_LT(r, 0.32e-3 * (ring + 1));
   }
 }
 

@@ -124,7 +124,7 @@ TEST_F(SceneReaderTest, ExplainsWrongUnits) {
 
 TEST_F(SceneReaderTest, HoldsValuesToTheirBounds) {
   expectOne(start + "[flow]\nmeanVelocity = \"-1 cm/s\"\n", 11,
-            {"-0.01 m/s, out of bounds; allowed: larger than 0 m/s, at most 10 m/s"});
+            {"-0.01 m/s, out of bounds; allowed: at least 1e-09 m/s, at most 10 m/s"});
   expectOne(start + "[injury]\nfenestrationProbability = 1.5\n", 11, {"at least 0, at most 1"});
   expectOne(start + "[injury]\nfenestrationProbability = nan\n", 11, {"not a finite number"});
   expectOne(start + "[injury]\nfenestrationProbability = inf\n", 11, {"not a finite number"});

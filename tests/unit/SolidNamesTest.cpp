@@ -45,8 +45,8 @@ TEST(SolidNames, SolidsAreShown) {
   const std::vector<std::string> names{"a", "", "b\x1B[2J", "c", "d"};
   EXPECT_EQ(shownSolids(names, {0}), "the solid 'a'");
   EXPECT_EQ(shownSolids(names, {0, 1}), "the solids 'a' and 2");
-  EXPECT_EQ(shownSolids(names, {0, 1, 2}), "the solids 'a', 2 and 'b?[2J'");
-  EXPECT_EQ(shownSolids(names, {0, 1, 2, 3}), "4 solids ('a', 2, 'b?[2J', ...)");
+  EXPECT_EQ(shownSolids(names, {0, 1, 2}), "the solids 'a', 2 and 'b\\x1b[2J'");
+  EXPECT_EQ(shownSolids(names, {0, 1, 2, 3}), "4 solids ('a', 2, 'b\\x1b[2J', ...)");
 }
 
 }  // namespace

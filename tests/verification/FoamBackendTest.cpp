@@ -37,8 +37,9 @@ TEST(FoamBackend, poiseuilleInTheSlowestFlowAllowed) {
   FoamBackend backend(FoamSettings::forFidelity("draft"));
   const auto s = backend.solve(tube(0.5 * vesselRadius, 0.5 * vesselLength), slow, scratch / "case");
   const auto error = stressError(s, 8 * slower * vesselStress(), endMargin, 0.5 * vesselLength - endMargin);
-  EXPECT_LT(std::abs(error.mean), 2 * meanLimit);
-  EXPECT_LT(error.l2, 2 * l2Limit);
+  // Ten cells of the core across instead of twenty
+  EXPECT_LT(std::abs(error.mean), 3 * meanLimit);
+  EXPECT_LT(error.l2, 3 * l2Limit);
 }
 
 TEST(FoamBackend, poiseuilleAtFixedPressureGradient) {

@@ -45,6 +45,24 @@ std::vector<double> edgeWeights(const PolyMesh& mesh, const std::vector<PointFre
   return weights;
 }
 
+template <class Preconditioner>
+using Gradients = Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower, Preconditioner>;
+
+/// Preconditioned as far as that goes: of some regular meshes the incomplete factor has no positive diagonal.
+Eigen::MatrixXd solved(const Eigen::SparseMatrix<double>& matrix, const Eigen::MatrixXd& right) {
+  const auto with = [&](auto& solver) {
+    solver.setTolerance(relativeTolerance);
+    Eigen::MatrixXd solution = solver.solve(right);
+    if (solver.info() != Eigen::Success || !solution.allFinite())
+      throw std::runtime_error("the motion of the mesh's inner points could not be found");
+    return solution;
+  };
+  Gradients<Eigen::IncompleteCholesky<double, Eigen::Lower>> factored(matrix);
+  if (factored.preconditioner().info() == Eigen::Success) return with(factored);
+  Gradients<Eigen::DiagonalPreconditioner<double>> scaled(matrix);
+  return with(scaled);
+}
+
 /// Solves for the components `axes` of the displacements of the points that are free in them.
 void solve(const std::vector<Edge>& edges, const std::vector<double>& weights,
            const std::vector<bool>& isFree, const std::vector<int>& axes, std::vector<Vec3>& displacements) {
@@ -69,13 +87,7 @@ void solve(const std::vector<Edge>& edges, const std::vector<double>& weights,
     }
   Eigen::SparseMatrix<double> matrix(rows, rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower,
-                           Eigen::IncompleteCholesky<double, Eigen::Lower>>
-      solver(matrix);
-  solver.setTolerance(relativeTolerance);
-  const Eigen::MatrixXd solution = solver.solve(right);
-  if (solver.info() != Eigen::Success || !solution.allFinite())
-    throw std::runtime_error("the motion of the mesh's inner points could not be found");
+  const Eigen::MatrixXd solution = solved(matrix, right);
   for (std::size_t i = 0; i < isFree.size(); ++i)
     for (std::size_t k = 0; k < axes.size() && isFree[i]; ++k)
       displacements[i][axes[k]] = solution(row[i], static_cast<Eigen::Index>(k));
