@@ -14,7 +14,7 @@ namespace restenosis {
 namespace {
 
 struct FileHandle {
-  explicit FileHandle(int number) : number(number) {}
+  explicit FileHandle(int opened) : number(opened) {}
   ~FileHandle() {
     if (number >= 0) ::close(number);
   }
