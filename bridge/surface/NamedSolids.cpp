@@ -69,10 +69,14 @@ std::vector<std::optional<SurfaceRegion>> namedRegions(const StlSolids& file) {
   std::vector<std::optional<SurfaceRegion>> regions(file.names.size());
   for (std::uint32_t solid = 0; solid < file.names.size(); ++solid) {
     const auto said = meaningsOf(file.names[solid]);
-    if (!said.empty()) regions[solid] = said.front();
-    if (said.size() < 2) continue;
+    if (said.empty()) continue;
     const auto triangles = trianglesOf(file, solid);
     if (triangles.empty()) continue;
+    // The name of all there is tells no parts apart: it is the file's title, as "lumen with inlet and outlet"
+    const bool title = triangles.size() == file.solid.size() && said != std::vector{SurfaceRegion::strut};
+    if (title) continue;
+    regions[solid] = said.front();
+    if (said.size() < 2) continue;
     refuseLumen(
         fmt::format("the name of {} says that it is {} and {} at once; it has {}. Name it as one of them, "
                     "or as nothing",

@@ -9,8 +9,9 @@
 
 namespace restenosis {
 
-/// What the name of each solid says that it is (`meaningsOf`). Throws std::runtime_error, naming the solid
-/// and its place, where one with triangles says several things at once.
+/// What the name of each solid says that it is (`meaningsOf`); nothing of a solid that is all of the file,
+/// but that it is a strut. Throws std::runtime_error, naming the solid and its place, where one with
+/// triangles says several things at once.
 std::vector<std::optional<SurfaceRegion>> namedRegions(const StlSolids& file);
 
 /// The ends that solids are named to be. Throws std::runtime_error, naming the solids, with their size and

@@ -299,6 +299,17 @@ TEST_F(NamedLumen, PartsOfWordsAreNoNames) {
   expectBackwards(false);
 }
 
+TEST_F(NamedLumen, TheNameOfAllThereIsIsATitle) {
+  TriSurface whole = tube(vesselRadius, 2e-3);
+  whole.region.assign(whole.region.size(), SurfaceRegion::wall);
+  writeNamedStl(file, whole, 1e-3);
+  const std::string text = readText(file);
+  for (const char* title : {"STL of lumen with inlet and outlet caps, units mm", "outlet", "stented lumen"}) {
+    writeText(file, replacedAll(text, "solid wall", fmt::format("solid {}", title)));
+    expectBackwards(false);
+  }
+}
+
 TEST_F(NamedLumen, ANameOfTwoThingsIsRefused) {
   writeHalves("proximal", "in-stent segment");
   EXPECT_SAYS(refusalOfFile(),
