@@ -7,9 +7,8 @@
 namespace restenosis {
 namespace {
 
-/// Widths of coronary arteries [m]: assumed, a decade about the 1.9 mm (distal) to 4.5 mm (left main) that
-/// the segments of normal human ones have on average (Dodge et al., Circulation 86, 1992, 232), so that no
-/// other decimal unit makes a sound width of another one.
+/// Widths of coronary arteries [m]: assumed, a decade, so that no other decimal unit makes a sound width of
+/// another one.
 constexpr double narrowestArtery = 0.8e-3, widestArtery = 8e-3;
 
 bool isCoronary(double diameter) { return diameter >= narrowestArtery && diameter <= widestArtery; }
