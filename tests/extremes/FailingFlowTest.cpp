@@ -1,6 +1,7 @@
 #include <regex>
 #include <thread>
 
+#include "OpenFoamPresent.h"
 #include "WholeProgram.h"
 
 namespace restenosis {
@@ -57,6 +58,27 @@ TEST_F(FailingFlow, AFailingProgramIsNamedWithItsLog) {
   ASSERT_TRUE(std::regex_search(end.err, log, std::regex("Read (\\S+)\\. "))) << end.err;
   EXPECT_NE(readText(folder / log[1].str()).find("the moon is full"), std::string::npos);
   expectResultsKept();
+}
+
+TEST_F(FailingFlow, ASolutionFarFromPoiseuillesLawIsNone) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const fs::path thick = folder / "thick";
+  fs::copy(fs::path(RESTENOSIS_SOURCE_DIR) / "foamCase", thick, fs::copy_options::recursive);
+  const fs::path blood = thick / "constant/transportProperties";
+  writeText(blood, with(readText(blood), "$kinematicViscosity", "5.4e-6"));  // twice that of the scene
+  const std::string tube = scene("tube", R"([scene]
+duration = "1 h"
+fidelity = "draft"
+[vessel]
+length = "0.4 mm"
+lumenDiameter = "1.2 mm"
+[flow]
+drive = "flowRate"
+)");
+  const ProcessEnd end = run({"run", tube, "-o", "out"}, {{"RESTENOSIS_FOAM_CASE", thick}});
+  EXPECT_EXIT_STATUS(end, 1);
+  for (const char* part : {"off Poiseuille's law, 2.39 Pa, by +100 %", "out/flow/0"})
+    EXPECT_NE(end.err.find(part), std::string::npos) << end.err;
 }
 
 /// OpenFOAM's programs may end with status 0 and no result.

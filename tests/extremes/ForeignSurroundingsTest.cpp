@@ -55,6 +55,13 @@ TEST_F(ForeignSurroundings, AWorkingFolderMayHaveAnyName) {
     ASSERT_EXIT_STATUS(runIn(odd, ranks, {{"PWD", "/"}, {"HOME", odd}, {"TMPDIR", odd}}), 0);
     EXPECT_EQ(finalOf(odd), finalOf(plain));
   }
+  // Both methods side by side
+  const auto stressesIn = [&](const fs::path& at) {
+    Process compare(command({"compare", "out", "-o", "compared", "--set", "lbm.dx=100 um"}), at);
+    EXPECT_EXIT_STATUS(compare.wait(patience), 0);
+    return nlohmann::json::parse(readText(at / "compared/compare.json"))["wss"]["wall"];
+  };
+  EXPECT_EQ(stressesIn(odd), stressesIn(plain));
   // What is left can be run by hand, too
   const fs::path left = odd / "out/flow/0";
   ASSERT_EXIT_STATUS(Process({(left / "Allrun").string()}, left).wait(patience), 0);

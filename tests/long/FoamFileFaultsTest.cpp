@@ -11,7 +11,7 @@ class FoamFileFaults : public FileFaults, public ::testing::WithParamInterface<c
 TEST_P(FoamFileFaults, LeaveARunThatEndsAsTheWholeOne) {
   RESTENOSIS_NEEDS_OPENFOAM();
   scene("short", with(with(with(shortScene, "\"analytic\"", "\"foam\""), "6 h", "4 h"), "[output]",
-                      "[foam]\ncellSize = \"20 um\"\nwallLevel = 0\nstrutLevel = 1\n"
+                      "[foam]\ncellSize = \"18 um\"\nwallLevel = 0\nstrutLevel = 1\n"
                       "[coupling]\nlumenTolerance = \"0.02 um\"\n[output]"));
   expectEveryFaultMended(GetParam(), 13);
 }

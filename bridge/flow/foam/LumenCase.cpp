@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "CellEstimate.h"
 #include "EndClearance.h"
 #include "InsidePoint.h"
 #include "LengthUnits.h"
@@ -17,21 +18,9 @@
 namespace restenosis {
 namespace {
 
-/// Rows of refined cells on each side of a surface that an estimate of the number of cells counts.
-constexpr double refinedRows = 4.0;
-
 /// Cells at the wall across the inlet below which there is nothing to mesh. What a lumen should have before
 /// the run is FoamSettings::minimumCellsAcross; tissue may narrow it as far as it can be meshed.
 constexpr double leastCellsAcross = 2.0;
-
-double estimatedCells(const LumenCase& lumen, const FoamSettings& s) {
-  const auto rows = [&](double area, std::int64_t level) {
-    const double size = s.cellSize / std::pow(2.0, static_cast<double>(level));
-    return refinedRows * area / (size * size);
-  };
-  return lumen.volume / std::pow(s.cellSize, 3) + rows(lumen.wallArea, s.wallLevel) +
-         rows(lumen.strutArea, s.strutLevel);
-}
 
 /// The second attempt (assumed): FoamSettings::nonOrthogonal, what its relaxation is multiplied by, and how
 /// many times the iterations of snapping and of the solver it may take.
@@ -202,7 +191,8 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
         "the inlet is {:.4g} mm wide, less than {} cells of {:.4g} mm: the lumen is too small for "
         "this fidelity, or its length unit is wrong",
         diameter * mmPerMetre, leastCellsAcross, settings.wallCell() * mmPerMetre));
-  if (const double cells = estimatedCells(result, settings); cells > settings.maximumCells)
+  if (const double cells = expectedCells({result.volume, result.wallArea, result.strutArea}, settings);
+      cells > settings.maximumCells)
     throw std::invalid_argument(fmt::format(
         "the lumen ({:.4g} mm wide, {:.4g} mm long) needs about {:.2g} cells, more than the limit of "
         "{:.2g}: choose a lower fidelity, or check its length unit",
