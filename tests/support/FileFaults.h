@@ -88,14 +88,16 @@ class FileFaults : public WholeProgram {
         if (!a.contains(name) || !b.contains(name) || a.at(name) != b.at(name)) names.insert(name);
     return names;
   }
-  /// A message names the file that an operation failed at, or the folder that it is in; of an OpenFOAM case, the case.
+  /// A message names the file that an operation failed at, or the folder that it is in; of an OpenFOAM case,
+  /// the case.
   static bool names(const std::string& message, const std::string& operation) {
     std::filesystem::path file = operation.substr(operation.find(' ') + 1);
     if (file.extension() == ".partial") file.replace_extension();
     const std::string::size_type inCase = file.string().find(".partial/");
     return message.find(file.filename()) != std::string::npos ||
            message.find(file.parent_path().filename()) != std::string::npos ||
-           (inCase != std::string::npos && message.find(file.string().substr(0, inCase)) != std::string::npos);
+           (inCase != std::string::npos &&
+            message.find(file.string().substr(0, inCase)) != std::string::npos);
   }
 
   /// Runs the scene "short" once for every `stride`-th operation, which meets a fault, and goes on with it:
