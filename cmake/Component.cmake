@@ -1,26 +1,38 @@
 # restenosis_component(NAME rfAgents DEPENDS ... [PRIVATE_DEPENDS ...] [SUBFOLDERS ...])
 #
-# One static library per folder. A folder's headers are visible only to the components that name it in DEPENDS,
-# so an include against the direction of dependencies does not compile.
+# One static library per folder. Its headers are included by their path ("tissue/agents/AgentStore.h"), and visible only
+# to the components that name it in DEPENDS, so an include against the direction of dependencies does not compile.
 function(restenosis_component)
   cmake_parse_arguments(ARG "" "NAME" "DEPENDS;PRIVATE_DEPENDS;SUBFOLDERS" ${ARGN})
-  set(folders ${CMAKE_CURRENT_SOURCE_DIR})
-  foreach(subfolder ${ARG_SUBFOLDERS})
-    list(APPEND folders ${CMAKE_CURRENT_SOURCE_DIR}/${subfolder})
-  endforeach()
   set(sources)
-  foreach(folder ${folders})
-    file(GLOB folderSources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  foreach(folder . ${ARG_SUBFOLDERS})
+    file(GLOB folderSources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
     list(APPEND sources ${folderSources})
   endforeach()
   if(sources)
     add_library(${ARG_NAME} STATIC ${sources})
-    target_include_directories(${ARG_NAME} PUBLIC ${folders})
     target_link_libraries(${ARG_NAME} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
     restenosis_precompiled(${ARG_NAME} rfPrecompiled)
+    restenosis_headers(${ARG_NAME} PUBLIC ${ARG_SUBFOLDERS})
   else()
     add_library(${ARG_NAME} INTERFACE)
-    target_include_directories(${ARG_NAME} INTERFACE ${folders})
     target_link_libraries(${ARG_NAME} INTERFACE ${ARG_DEPENDS})
+    restenosis_headers(${ARG_NAME} INTERFACE ${ARG_SUBFOLDERS})
   endif()
+endfunction()
+
+# restenosis_headers(TARGET SCOPE [SUBFOLDERS...]): the headers of this folder, by their path, for those that link TARGET.
+# They are reached through links in a folder of the target's own: a common root would show everybody's to everybody.
+function(restenosis_headers TARGET SCOPE)
+  set(root ${CMAKE_BINARY_DIR}/include/${TARGET})
+  foreach(folder . ${ARGN})
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h)
+    foreach(header ${headers})
+      file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR} ${header})
+      cmake_path(GET place PARENT_PATH parent)
+      file(MAKE_DIRECTORY ${root}/${parent})
+      file(CREATE_LINK ${header} ${root}/${place} SYMBOLIC)
+    endforeach()
+  endforeach()
+  target_include_directories(${TARGET} ${SCOPE} ${root})
 endfunction()

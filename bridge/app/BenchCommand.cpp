@@ -1,4 +1,4 @@
-#include "BenchCommand.h"
+#include "bridge/app/BenchCommand.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "ContactBench.h"
-#include "ExitStatus.h"
-#include "LatticeBench.h"
+#include "bridge/app/ContactBench.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/LatticeBench.h"
 
 namespace restenosis {
 namespace {

@@ -1,11 +1,11 @@
-#include "CheckCommand.h"
+#include "bridge/app/CheckCommand.h"
 
 #include <iostream>
 #include <memory>
 
-#include "ExitStatus.h"
-#include "Plan.h"
-#include "SceneArguments.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/coupling/Plan.h"
 
 namespace restenosis {
 

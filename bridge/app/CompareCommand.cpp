@@ -1,4 +1,4 @@
-#include "CompareCommand.h"
+#include "bridge/app/CompareCommand.h"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -11,22 +11,22 @@
 #include <memory>
 #include <string_view>
 
-#include "AtomicFile.h"
-#include "ComparedLumen.h"
-#include "ComparisonWriter.h"
-#include "ExitStatus.h"
-#include "Failures.h"
-#include "Figures.h"
-#include "FlowBackendNames.h"
-#include "FlowBackends.h"
-#include "FoamRequirements.h"
-#include "FoamTemplate.h"
-#include "OptionChecks.h"
-#include "ResultsFolder.h"
-#include "Run.h"
-#include "SceneArguments.h"
-#include "StopRequest.h"
-#include "ThreadCount.h"
+#include "bridge/app/ComparedLumen.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/Failures.h"
+#include "bridge/app/OptionChecks.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/app/StopRequest.h"
+#include "bridge/app/ThreadCount.h"
+#include "bridge/compare/ComparisonWriter.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/backends/FlowBackends.h"
+#include "bridge/flow/foam/FoamRequirements.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/output/Figures.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 namespace {

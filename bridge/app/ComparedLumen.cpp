@@ -1,20 +1,20 @@
-#include "ComparedLumen.h"
+#include "bridge/app/ComparedLumen.h"
 
 #include <fmt/format.h>
 
 #include <iostream>
 
-#include "AtomicFile.h"
-#include "LoadedLumen.h"
-#include "LumenFile.h"
-#include "LumenFrame.h"
-#include "LumenShape.h"
-#include "PrintableOutput.h"
-#include "Progress.h"
-#include "Run.h"
-#include "SceneStent.h"
-#include "SceneWriter.h"
-#include "Units.h"
+#include "bridge/compare/LumenFile.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/output/Progress.h"
+#include "bridge/scene/SceneWriter.h"
+#include "bridge/scene/Units.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/SceneStent.h"
+#include "bridge/system/AtomicFile.h"
+#include "bridge/system/PrintableOutput.h"
 
 namespace restenosis {
 

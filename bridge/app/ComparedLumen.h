@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "Scene.h"
-#include "TriSurface.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "ContactBench.h"
+#include "bridge/app/ContactBench.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "Chunks.h"
-#include "ForceField.h"
-#include "MachineLimits.h"
-#include "Relaxation.h"
-#include "Timing.h"
-#include "WallPacking.h"
+#include "bridge/app/MachineLimits.h"
+#include "bridge/app/Timing.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -29,7 +29,7 @@ struct Workload {
   Workload() {
     VesselParameters vessel;
     vessel.length = wallLength;
-    wall = packWall(vessel, mechanics, 1);
+    wall = packWall(vessel, mechanics, {}, 1);
     range = ForceField(mechanics).range(Relaxation::skinOverRadius * vessel.cellRadius);
     neighbours.build(wall.agents, range);
     const Index nobody = wall.agents.size();

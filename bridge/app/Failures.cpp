@@ -1,4 +1,4 @@
-#include "Failures.h"
+#include "bridge/app/Failures.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <new>
 #include <stdexcept>
 
-#include "ComparedLumen.h"
-#include "ExitStatus.h"
-#include "FlowBackend.h"
-#include "ResultsFolder.h"
-#include "Run.h"
+#include "bridge/app/ComparedLumen.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/output/ResultsFolder.h"
 
 namespace restenosis {
 

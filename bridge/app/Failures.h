@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "Checkpoint.h"
+#include "bridge/output/Checkpoint.h"
 
 namespace restenosis {
 

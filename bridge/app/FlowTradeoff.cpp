@@ -1,4 +1,4 @@
-#include "FlowTradeoff.h"
+#include "bridge/app/FlowTradeoff.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
-#include "ComparedLumen.h"
-#include "FlowBackendNames.h"
-#include "FlowBackends.h"
-#include "FlowComparison.h"
-#include "FlowForecast.h"
-#include "PoiseuilleError.h"
-#include "Run.h"
+#include "bridge/app/ComparedLumen.h"
+#include "bridge/compare/FlowComparison.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/PoiseuilleError.h"
+#include "bridge/flow/backends/FlowBackends.h"
 
 namespace restenosis {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "SceneArguments.h"
-#include "TradeoffRows.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/output/TradeoffRows.h"
 
 namespace restenosis {
 

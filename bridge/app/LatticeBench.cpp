@@ -1,4 +1,4 @@
-#include "LatticeBench.h"
+#include "bridge/app/LatticeBench.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "CylinderSurface.h"
-#include "LatticeFlow.h"
-#include "Timing.h"
+#include "bridge/app/Timing.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
+#include "bridge/surface/CylinderSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "MachineLimits.h"
+#include "bridge/app/MachineLimits.h"
 
 #include <omp.h>
 
@@ -6,8 +6,8 @@
 #include <cstring>
 #include <vector>
 
-#include "Lanes.h"
-#include "Timing.h"
+#include "bridge/app/Timing.h"
+#include "tissue/agents/Lanes.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "ProcessSetup.h"
+#include "bridge/app/ProcessSetup.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "RunCommand.h"
+#include "bridge/app/RunCommand.h"
 
 #include <fmt/format.h>
 
@@ -6,26 +6,26 @@
 #include <iostream>
 #include <memory>
 
-#include "AtomicFile.h"
-#include "Checkpoint.h"
-#include "ExitStatus.h"
-#include "Failures.h"
-#include "Figures.h"
-#include "FlowForecast.h"
-#include "OptionChecks.h"
-#include "Plan.h"
-#include "PrintableOutput.h"
-#include "Progress.h"
-#include "ResultsFolder.h"
-#include "Run.h"
-#include "SceneArguments.h"
-#include "SceneFiles.h"
-#include "SceneFingerprint.h"
-#include "SceneReader.h"
-#include "SceneWriter.h"
-#include "StopRequest.h"
-#include "ThreadCount.h"
-#include "Units.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/Failures.h"
+#include "bridge/app/OptionChecks.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/app/StopRequest.h"
+#include "bridge/app/ThreadCount.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/Plan.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/output/Checkpoint.h"
+#include "bridge/output/Figures.h"
+#include "bridge/output/Progress.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/scene/SceneFiles.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/SceneReader.h"
+#include "bridge/scene/SceneWriter.h"
+#include "bridge/scene/Units.h"
+#include "bridge/system/AtomicFile.h"
+#include "bridge/system/PrintableOutput.h"
 
 namespace restenosis {
 namespace {
@@ -121,7 +121,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
   std::cerr << surfacesText(scene);
   if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
-    for (const std::string& remark : scene.lumenRemarks) std::cerr << remark << '\n';
+    for (const std::string& remark : scene.remarks) std::cerr << remark << '\n';
   for (const std::string& known : flowForecast(scene, arguments.ranks))
     std::cerr << fmt::format("The flow, once it is due, {}\n", known);
   Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);

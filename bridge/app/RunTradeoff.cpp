@@ -1,4 +1,4 @@
-#include "RunTradeoff.h"
+#include "bridge/app/RunTradeoff.h"
 
 #include <fmt/format.h>
 
@@ -8,17 +8,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "AtomicFile.h"
-#include "FileContent.h"
-#include "PrintableOutput.h"
-#include "Progress.h"
-#include "Relaxation.h"
-#include "ResultsFolder.h"
-#include "Run.h"
-#include "SceneFingerprint.h"
-#include "SceneWriter.h"
-#include "Units.h"
-#include "Version.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/output/Progress.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/output/Version.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/SceneWriter.h"
+#include "bridge/scene/Units.h"
+#include "bridge/system/AtomicFile.h"
+#include "bridge/system/FileContent.h"
+#include "bridge/system/PrintableOutput.h"
+#include "tissue/equilibrium/Relaxation.h"
 
 namespace restenosis {
 namespace {

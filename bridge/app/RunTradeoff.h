@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "FlowTradeoff.h"
-#include "SceneArguments.h"
-#include "SweptSetting.h"
-#include "TradeoffRows.h"
+#include "bridge/app/FlowTradeoff.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/output/TradeoffRows.h"
+#include "bridge/scene/SweptSetting.h"
 
 namespace restenosis {
 

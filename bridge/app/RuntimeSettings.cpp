@@ -1,4 +1,4 @@
-#include "RuntimeSettings.h"
+#include "bridge/app/RuntimeSettings.h"
 
 #include <sys/auxv.h>
 #include <unistd.h>

@@ -1,10 +1,10 @@
-#include "SceneArguments.h"
+#include "bridge/app/SceneArguments.h"
 
 #include <iostream>
 
-#include "OptionChecks.h"
-#include "SceneReader.h"
-#include "Units.h"
+#include "bridge/app/OptionChecks.h"
+#include "bridge/scene/SceneReader.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "Scene.h"
-#include "SceneOverride.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/SceneOverride.h"
 
 namespace restenosis {
 

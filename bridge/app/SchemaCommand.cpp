@@ -1,10 +1,10 @@
-#include "SchemaCommand.h"
+#include "bridge/app/SchemaCommand.h"
 
 #include <iostream>
 #include <memory>
 
-#include "SchemaPrinter.h"
-#include "Units.h"
+#include "bridge/scene/SchemaPrinter.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "StandardOutput.h"
+#include "bridge/app/StandardOutput.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -11,7 +11,7 @@
 #include <iostream>
 #include <string>
 
-#include "ExitStatus.h"
+#include "bridge/app/ExitStatus.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "StopRequest.h"
+#include "bridge/app/StopRequest.h"
 
 #include <csignal>
 

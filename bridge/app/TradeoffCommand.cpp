@@ -1,4 +1,4 @@
-#include "TradeoffCommand.h"
+#include "bridge/app/TradeoffCommand.h"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -7,19 +7,19 @@
 #include <iostream>
 #include <memory>
 
-#include "ComparedLumen.h"
-#include "ExitStatus.h"
-#include "Failures.h"
-#include "Figures.h"
-#include "FlowBackendNames.h"
-#include "FlowTradeoff.h"
-#include "OptionChecks.h"
-#include "ResultsFolder.h"
-#include "Run.h"
-#include "RunTradeoff.h"
-#include "SceneArguments.h"
-#include "StopRequest.h"
-#include "ThreadCount.h"
+#include "bridge/app/ComparedLumen.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/Failures.h"
+#include "bridge/app/FlowTradeoff.h"
+#include "bridge/app/OptionChecks.h"
+#include "bridge/app/RunTradeoff.h"
+#include "bridge/app/SceneArguments.h"
+#include "bridge/app/StopRequest.h"
+#include "bridge/app/ThreadCount.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/output/Figures.h"
+#include "bridge/output/ResultsFolder.h"
 
 namespace restenosis {
 namespace {

@@ -8,20 +8,20 @@
 #include <string_view>
 #include <vector>
 
-#include "BenchCommand.h"
-#include "CheckCommand.h"
-#include "CompareCommand.h"
-#include "ExitStatus.h"
-#include "NearestName.h"
-#include "PrintableOutput.h"
-#include "ProcessSetup.h"
-#include "RunCommand.h"
-#include "RuntimeSettings.h"
-#include "SchemaCommand.h"
-#include "Shown.h"
-#include "StandardOutput.h"
-#include "TradeoffCommand.h"
-#include "Version.h"
+#include "bridge/app/BenchCommand.h"
+#include "bridge/app/CheckCommand.h"
+#include "bridge/app/CompareCommand.h"
+#include "bridge/app/ExitStatus.h"
+#include "bridge/app/ProcessSetup.h"
+#include "bridge/app/RunCommand.h"
+#include "bridge/app/RuntimeSettings.h"
+#include "bridge/app/SchemaCommand.h"
+#include "bridge/app/StandardOutput.h"
+#include "bridge/app/TradeoffCommand.h"
+#include "bridge/output/Version.h"
+#include "bridge/system/PrintableOutput.h"
+#include "tissue/parameters/NearestName.h"
+#include "tissue/parameters/Shown.h"
 
 namespace {
 

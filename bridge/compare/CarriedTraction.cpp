@@ -1,8 +1,8 @@
-#include "CarriedTraction.h"
+#include "bridge/compare/CarriedTraction.h"
 
 #include <limits>
 
-#include "RegionalFaces.h"
+#include "bridge/flow/RegionalFaces.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ComparedParts.h"
-#include "FlowBackend.h"
+#include "bridge/compare/ComparedParts.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,9 +1,9 @@
-#include "ComparedParts.h"
+#include "bridge/compare/ComparedParts.h"
 
 #include <algorithm>
 
-#include "LumenShape.h"
-#include "PointTree.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 

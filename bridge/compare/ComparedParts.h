@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

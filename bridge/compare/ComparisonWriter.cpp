@@ -1,4 +1,4 @@
-#include "ComparisonWriter.h"
+#include "bridge/compare/ComparisonWriter.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -10,10 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "AtomicFile.h"
-#include "PolyDataFile.h"
-#include "SecondsPerDay.h"
-#include "Version.h"
+#include "bridge/output/PolyDataFile.h"
+#include "bridge/output/Version.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "FlowComparison.h"
+#include "bridge/compare/FlowComparison.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "FieldDifference.h"
+#include "bridge/compare/FieldDifference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "FlowComparison.h"
+#include "bridge/compare/FlowComparison.h"
 
 #include <chrono>
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <vector>
 
-#include "CarriedTraction.h"
-#include "ComparedParts.h"
-#include "FieldDifference.h"
-#include "FlowBackend.h"
-#include "ProbeLines.h"
+#include "bridge/compare/CarriedTraction.h"
+#include "bridge/compare/ComparedParts.h"
+#include "bridge/compare/FieldDifference.h"
+#include "bridge/compare/ProbeLines.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenFile.h"
+#include "bridge/compare/LumenFile.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "SurfaceEnds.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

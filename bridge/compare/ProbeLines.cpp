@@ -1,11 +1,11 @@
-#include "ProbeLines.h"
+#include "bridge/compare/ProbeLines.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "AlikeRemarks.h"
+#include "bridge/coupling/AlikeRemarks.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "Part.h"
+#include "bridge/coupling/Part.h"
 
 namespace restenosis {
 

@@ -1,17 +1,17 @@
-#include "FlowForecast.h"
+#include "bridge/coupling/FlowForecast.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "Biology.h"
-#include "FlowBackendNames.h"
-#include "FlowResolution.h"
-#include "FoamRequirements.h"
-#include "FoamTemplate.h"
-#include "SecondsPerDay.h"
-#include "Units.h"
-#include "World.h"
+#include "bridge/coupling/World.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/foam/FoamRequirements.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/scene/FlowResolution.h"
+#include "bridge/scene/Units.h"
+#include "tissue/biology/Biology.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 namespace {

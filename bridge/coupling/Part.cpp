@@ -1,4 +1,4 @@
-#include "Part.h"
+#include "bridge/coupling/Part.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "Plan.h"
+#include "bridge/coupling/Plan.h"
 
 #include <fmt/format.h>
 
@@ -6,23 +6,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "AgentCounts.h"
-#include "AgentTable.h"
-#include "Biology.h"
-#include "CellEstimate.h"
-#include "FlowBackendNames.h"
-#include "FlowForecast.h"
-#include "LoadedLumen.h"
-#include "LoadedWall.h"
-#include "LumenGrid.h"
-#include "LumenShape.h"
-#include "Printable.h"
-#include "Run.h"
-#include "SceneStent.h"
-#include "SecondsPerDay.h"
-#include "Units.h"
-#include "WallTable.h"
-#include "World.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/coupling/World.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/foam/CellEstimate.h"
+#include "bridge/scene/LoadedWall.h"
+#include "bridge/scene/Units.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/LumenGrid.h"
+#include "bridge/surface/SceneStent.h"
+#include "tissue/biology/Biology.h"
+#include "tissue/parameters/Printable.h"
+#include "tissue/parameters/SecondsPerDay.h"
+#include "tissue/vessel/AgentCounts.h"
+#include "tissue/vessel/AgentTable.h"
+#include "tissue/vessel/WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -243,7 +243,7 @@ std::string planText(const Scene& scene) {
                       scene.vessel.length * 1e3, scene.vessel.lumenDiameter * 1e3, scene.scene.duration / day,
                       steps, scene.scene.step / 3600, scene.scene.fidelity);
   text += surfacesText(scene);
-  for (const std::string& remark : scene.lumenRemarks) text += remark + "\n";
+  for (const std::string& remark : scene.remarks) text += remark + "\n";
   for (const PlannedPart& part : planParts(scene))
     text +=
         fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, printable(part.explanation));

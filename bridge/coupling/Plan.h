@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "Scene.h"
+#include "bridge/scene/Scene.h"
 
 namespace restenosis {
 

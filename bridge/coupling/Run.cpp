@@ -1,4 +1,4 @@
-#include "Run.h"
+#include "bridge/coupling/Run.h"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -7,37 +7,37 @@
 #include <cmath>
 #include <string_view>
 
-#include "AtomicFile.h"
-#include "Build.h"
-#include "CyclePart.h"
-#include "Deployment.h"
-#include "EndotheliumPart.h"
-#include "EscapedAgents.h"
-#include "ExposurePart.h"
-#include "FlowBackendNames.h"
-#include "FlowBackends.h"
-#include "FlowForecast.h"
-#include "FlowPart.h"
-#include "FoamTemplate.h"
-#include "ForceField.h"
-#include "InjuryRemark.h"
-#include "LoadedWall.h"
-#include "LumenFrame.h"
-#include "LumenPart.h"
-#include "LumenSurface.h"
-#include "NitricOxidePart.h"
-#include "ProfileCsv.h"
-#include "RelaxPart.h"
-#include "SceneFingerprint.h"
-#include "SceneStent.h"
-#include "SecondsPerDay.h"
-#include "StateArchive.h"
-#include "StateCounts.h"
-#include "SummaryJson.h"
-#include "ThicknessMapCsv.h"
-#include "WallPacking.h"
-#include "WallShearPart.h"
-#include "WallTable.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/parts/CyclePart.h"
+#include "bridge/coupling/parts/EndotheliumPart.h"
+#include "bridge/coupling/parts/ExposurePart.h"
+#include "bridge/coupling/parts/FlowPart.h"
+#include "bridge/coupling/parts/LumenPart.h"
+#include "bridge/coupling/parts/NitricOxidePart.h"
+#include "bridge/coupling/parts/RelaxPart.h"
+#include "bridge/coupling/parts/WallShearPart.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/backends/FlowBackends.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/output/Build.h"
+#include "bridge/output/ProfileCsv.h"
+#include "bridge/output/SummaryJson.h"
+#include "bridge/output/ThicknessMapCsv.h"
+#include "bridge/scene/LoadedWall.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/surface/LumenSurface.h"
+#include "bridge/surface/SceneStent.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/biology/StateCounts.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/parameters/SecondsPerDay.h"
+#include "tissue/stent/Deployment.h"
+#include "tissue/stent/EscapedAgents.h"
+#include "tissue/stent/InjuryRemark.h"
+#include "tissue/vessel/WallPacking.h"
+#include "tissue/vessel/WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -222,21 +222,23 @@ void Run::endAs(const char* status) {
 Wall Run::initialWall() {
   const VesselParameters& vessel = scene_.vessel;
   if (!vessel.agents.empty()) {
-    Wall wall = adoptWall(vessel, readWallTable(vessel, scene_.stent ? &*scene_.stent : nullptr));
+    std::optional<double> depth;
+    if (scene_.stent) depth = scene_.stent->deploymentDepth;
+    Wall wall = adoptWall(vessel, readWallTable(vessel, depth));
     // A packed wall's were set when it came to rest; injury may ask for them before this one does
     ForceField(*scene_.mechanics).setPressures(wall.agents, wall.bonds);
     return wall;
   }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
-                  *scene_.mechanics, static_cast<std::uint64_t>(scene_.scene.seed), &world_.packing.emplace(),
-                  [this] {
+                  *scene_.mechanics, *scene_.relaxation, static_cast<std::uint64_t>(scene_.scene.seed),
+                  &world_.packing.emplace(), [this] {
                     if (isAskedToStop()) throw Interrupted();  // there is nothing to save yet
                   });
 }
 
 void Run::prepareWall() {
   if (!scene_.vessel.lumenSurface.empty())
-    for (const std::string& text : scene_.lumenRemarks) remark(text);
+    for (const std::string& text : scene_.remarks) remark(text);
   if (scene_.hasTissue()) {
     auto measurement = world_.timer.measure("pack");
     const std::string stage = scene_.vessel.agents.empty() ? "packing the wall" : "loading the wall";
@@ -260,7 +262,7 @@ void Run::deploy() {
 
 void Run::deployStent() {
   Deployment deployment(world_.wall, makeStent(*scene_.stent, scene_.vessel), *scene_.stent, scene_.vessel,
-                        *scene_.mechanics, deploymentSteps_);
+                        *scene_.mechanics, *scene_.relaxation, deploymentSteps_);
   while (!deployment.done()) {
     deployment.step();
     deploymentSteps_ = deployment.stepsDone();

@@ -8,13 +8,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "Checkpoint.h"
-#include "FlowPart.h"
-#include "PoiseuilleError.h"
-#include "RecordPart.h"
-#include "ResultsFolder.h"
-#include "Schedule.h"
-#include "World.h"
+#include "bridge/coupling/Schedule.h"
+#include "bridge/coupling/World.h"
+#include "bridge/coupling/parts/FlowPart.h"
+#include "bridge/coupling/parts/RecordPart.h"
+#include "bridge/flow/PoiseuilleError.h"
+#include "bridge/output/Checkpoint.h"
+#include "bridge/output/ResultsFolder.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "Schedule.h"
+#include "bridge/coupling/Schedule.h"
 
 #include <algorithm>
 #include <numeric>

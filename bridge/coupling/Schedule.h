@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "Part.h"
+#include "bridge/coupling/Part.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "StressReaders.h"
+#include "bridge/coupling/StressReaders.h"
 
 namespace restenosis {
 

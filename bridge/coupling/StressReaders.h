@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

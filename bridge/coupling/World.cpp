@@ -1,10 +1,10 @@
-#include "World.h"
+#include "bridge/coupling/World.h"
 
 #include <algorithm>
 
-#include "CylinderSurface.h"
-#include "LoadedLumen.h"
-#include "LumenSurface.h"
+#include "bridge/surface/CylinderSurface.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/LumenSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,13 +1,13 @@
-#include "EndClearance.h"
+#include "bridge/flow/EndClearance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "LumenShape.h"
-#include "Rotation.h"
-#include "SurfaceEnds.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/Rotation.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

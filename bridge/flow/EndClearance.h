@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,8 +1,8 @@
-#include "FlowParameters.h"
+#include "bridge/flow/FlowParameters.h"
 
 #include <numbers>
 
-#include "FlowBackendNames.h"
+#include "bridge/flow/FlowBackendNames.h"
 
 namespace restenosis {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "FlowBackend.h"
-#include "ParameterVisitor.h"
+#include "bridge/flow/FlowBackend.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

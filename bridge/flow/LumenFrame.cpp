@@ -1,11 +1,11 @@
-#include "LumenFrame.h"
+#include "bridge/flow/LumenFrame.h"
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "LumenShape.h"
-#include "Rotation.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/Rotation.h"
 
 namespace restenosis {
 namespace {

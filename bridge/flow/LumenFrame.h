@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
 
 #include <fmt/format.h>
 

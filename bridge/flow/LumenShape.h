@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

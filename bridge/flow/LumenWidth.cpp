@@ -1,4 +1,4 @@
-#include "LumenWidth.h"
+#include "bridge/flow/LumenWidth.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "PoiseuilleError.h"
+#include "bridge/flow/PoiseuilleError.h"
 
 #include <algorithm>
 #include <cmath>

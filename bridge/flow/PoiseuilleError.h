@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

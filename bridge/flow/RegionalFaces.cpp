@@ -1,4 +1,4 @@
-#include "RegionalFaces.h"
+#include "bridge/flow/RegionalFaces.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "FlowBackend.h"
-#include "PointTree.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 

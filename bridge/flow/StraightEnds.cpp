@@ -1,4 +1,4 @@
-#include "StraightEnds.h"
+#include "bridge/flow/StraightEnds.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "LengthUnits.h"
-#include "LumenFrame.h"
-#include "LumenRefusal.h"
-#include "LumenShape.h"
-#include "NearestTriangle.h"
-#include "SurfaceCrossings.h"
-#include "SurfaceEnds.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/NearestTriangle.h"
+#include "bridge/surface/SurfaceCrossings.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
 namespace {

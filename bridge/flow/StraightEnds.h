@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

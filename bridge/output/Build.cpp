@@ -1,11 +1,11 @@
-#include "Build.h"
+#include "bridge/output/Build.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <set>
 
-#include "Version.h"
+#include "bridge/output/Version.h"
 
 #if __has_include(<gnu/libc-version.h>)
 #include <gnu/libc-version.h>

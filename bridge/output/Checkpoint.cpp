@@ -1,4 +1,4 @@
-#include "Checkpoint.h"
+#include "bridge/output/Checkpoint.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <fstream>
 #include <system_error>
 
-#include "AtomicFile.h"
-#include "StateArchive.h"
-#include "Version.h"
+#include "bridge/output/Version.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "StateArchive.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 

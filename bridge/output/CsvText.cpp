@@ -1,4 +1,4 @@
-#include "CsvText.h"
+#include "bridge/output/CsvText.h"
 
 #include <fmt/format.h>
 

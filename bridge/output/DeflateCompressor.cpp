@@ -1,4 +1,4 @@
-#include "DeflateCompressor.h"
+#include "bridge/output/DeflateCompressor.h"
 
 #include <libdeflate.h>
 #include <vtkObjectFactory.h>

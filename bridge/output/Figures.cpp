@@ -1,12 +1,12 @@
-#include "Figures.h"
+#include "bridge/output/Figures.h"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <fstream>
 
-#include "AtomicFile.h"
-#include "ExternalProgram.h"
+#include "bridge/system/AtomicFile.h"
+#include "bridge/system/ExternalProgram.h"
 
 namespace restenosis {
 

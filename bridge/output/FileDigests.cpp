@@ -1,4 +1,4 @@
-#include "FileDigests.h"
+#include "bridge/output/FileDigests.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "AtomicFile.h"
-#include "StateArchive.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "FormerRun.h"
+#include "bridge/output/FormerRun.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "AtomicFile.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

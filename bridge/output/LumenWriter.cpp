@@ -1,4 +1,4 @@
-#include "LumenWriter.h"
+#include "bridge/output/LumenWriter.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -13,8 +13,8 @@
 #include <cmath>
 #include <limits>
 
-#include "PolyDataFile.h"
-#include "RegionalFaces.h"
+#include "bridge/flow/RegionalFaces.h"
+#include "bridge/output/PolyDataFile.h"
 
 namespace restenosis {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "FlowBackend.h"
-#include "RadialMap.h"
-#include "TriSurface.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/surface/RadialMap.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,9 +1,9 @@
-#include "PartTimer.h"
+#include "bridge/output/PartTimer.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "ProcessMemory.h"
+#include "bridge/output/ProcessMemory.h"
 
 namespace restenosis {
 

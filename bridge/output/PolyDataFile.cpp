@@ -1,4 +1,4 @@
-#include "PolyDataFile.h"
+#include "bridge/output/PolyDataFile.h"
 
 #include <fmt/format.h>
 #include <vtkDoubleArray.h>
@@ -6,9 +6,9 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "AtomicFile.h"
-#include "DeflateCompressor.h"
-#include "SecondsPerDay.h"
+#include "bridge/output/DeflateCompressor.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

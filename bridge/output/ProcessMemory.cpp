@@ -1,4 +1,4 @@
-#include "ProcessMemory.h"
+#include "bridge/output/ProcessMemory.h"
 
 #include <sys/resource.h>
 

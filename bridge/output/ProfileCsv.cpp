@@ -1,7 +1,7 @@
-#include "ProfileCsv.h"
+#include "bridge/output/ProfileCsv.h"
 
-#include "AtomicFile.h"
-#include "CsvText.h"
+#include "bridge/output/CsvText.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

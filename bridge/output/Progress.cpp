@@ -1,4 +1,4 @@
-#include "Progress.h"
+#include "bridge/output/Progress.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Printable.h"
-#include "SecondsPerDay.h"
+#include "tissue/parameters/Printable.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

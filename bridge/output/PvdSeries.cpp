@@ -1,12 +1,12 @@
-#include "PvdSeries.h"
+#include "bridge/output/PvdSeries.h"
 
 #include <fmt/format.h>
 
 #include <system_error>
 
-#include "AtomicFile.h"
-#include "ResultsFolder.h"
-#include "SecondsPerDay.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "ResultsFolder.h"
+#include "bridge/output/ResultsFolder.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "AtomicFile.h"
-#include "SecondsPerDay.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

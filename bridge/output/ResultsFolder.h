@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "FormerRun.h"
+#include "bridge/output/FormerRun.h"
 
 namespace restenosis {
 

@@ -1,9 +1,9 @@
-#include "SummaryJson.h"
+#include "bridge/output/SummaryJson.h"
 
 #include <nlohmann/json.hpp>
 
-#include "AtomicFile.h"
-#include "Version.h"
+#include "bridge/output/Version.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

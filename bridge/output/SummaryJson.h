@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "DeploymentStatistics.h"
-#include "Injury.h"
-#include "PartTimer.h"
-#include "PoiseuilleError.h"
-#include "TimeSeriesRow.h"
-#include "WallPacking.h"
+#include "bridge/flow/PoiseuilleError.h"
+#include "bridge/output/PartTimer.h"
+#include "bridge/output/TimeSeriesRow.h"
+#include "tissue/stent/DeploymentStatistics.h"
+#include "tissue/stent/Injury.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 

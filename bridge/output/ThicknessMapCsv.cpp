@@ -1,9 +1,9 @@
-#include "ThicknessMapCsv.h"
+#include "bridge/output/ThicknessMapCsv.h"
 
 #include <numbers>
 
-#include "AtomicFile.h"
-#include "CsvText.h"
+#include "bridge/output/CsvText.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "RadialMap.h"
+#include "bridge/surface/RadialMap.h"
 
 namespace restenosis {
 

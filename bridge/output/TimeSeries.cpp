@@ -1,13 +1,13 @@
-#include "TimeSeries.h"
+#include "bridge/output/TimeSeries.h"
 
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <cstring>
 
-#include "AtomicFile.h"
-#include "CsvText.h"
-#include "SecondsPerDay.h"
+#include "bridge/output/CsvText.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <vector>
 
-#include "TimeSeriesRow.h"
+#include "bridge/output/TimeSeriesRow.h"
 
 namespace restenosis {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "SecondsPerDay.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "TissueWriter.h"
+#include "bridge/output/TissueWriter.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -12,7 +12,7 @@
 #include <array>
 #include <utility>
 
-#include "PolyDataFile.h"
+#include "bridge/output/PolyDataFile.h"
 
 namespace restenosis {
 

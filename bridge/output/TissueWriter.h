@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -1,11 +1,11 @@
-#include "TradeoffRows.h"
+#include "bridge/output/TradeoffRows.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "AtomicFile.h"
-#include "CsvText.h"
+#include "bridge/output/CsvText.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

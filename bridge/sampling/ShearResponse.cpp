@@ -1,4 +1,4 @@
-#include "ShearResponse.h"
+#include "bridge/sampling/ShearResponse.h"
 
 #include <cmath>
 #include <complex>

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "FlowBackend.h"
-#include "RadialMap.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/surface/RadialMap.h"
 
 namespace restenosis {
 

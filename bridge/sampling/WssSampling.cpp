@@ -1,8 +1,8 @@
-#include "WssSampling.h"
+#include "bridge/sampling/WssSampling.h"
 
 #include <algorithm>
 
-#include "PointTree.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "AgentStore.h"
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "WssStatistics.h"
+#include "bridge/sampling/WssStatistics.h"
 
 #include <algorithm>
 #include <utility>

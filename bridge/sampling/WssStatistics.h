@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,8 +1,8 @@
-#include "ArteryWidth.h"
+#include "bridge/scene/ArteryWidth.h"
 
 #include <fmt/format.h>
 
-#include "LengthUnit.h"
+#include "bridge/surface/LengthUnit.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "Scene.h"
+#include "bridge/scene/Scene.h"
 
 namespace restenosis {
 

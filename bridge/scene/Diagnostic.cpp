@@ -1,8 +1,8 @@
-#include "Diagnostic.h"
+#include "bridge/scene/Diagnostic.h"
 
 #include <fmt/format.h>
 
-#include "Printable.h"
+#include "tissue/parameters/Printable.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "FlowResolution.h"
+#include "bridge/scene/FlowResolution.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "FlowBackendNames.h"
+#include "bridge/flow/FlowBackendNames.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "Scene.h"
-#include "Units.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
-#include "LoadedWall.h"
+#include "bridge/scene/LoadedWall.h"
 
-#include "LoadedLumen.h"
-#include "LumenFrame.h"
-#include "LumenRefusal.h"
-#include "LumenShape.h"
-#include "WallOutwards.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/WallOutwards.h"
 
 namespace restenosis {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "TriSurface.h"
-#include "VesselParameters.h"
-#include "WallShape.h"
+#include "bridge/surface/TriSurface.h"
+#include "tissue/vessel/VesselParameters.h"
+#include "tissue/vessel/WallShape.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenSurfaceChecks.h"
+#include "bridge/scene/LumenSurfaceChecks.h"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "ArteryWidth.h"
-#include "FlowBackendNames.h"
-#include "IgnoringVisitor.h"
-#include "LengthUnits.h"
-#include "LoadedLumen.h"
-#include "LoadedWall.h"
-#include "LumenFrame.h"
-#include "LumenShape.h"
-#include "SectionReader.h"
-#include "StraightEnds.h"
-#include "WallOutwards.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/StraightEnds.h"
+#include "bridge/scene/ArteryWidth.h"
+#include "bridge/scene/LoadedWall.h"
+#include "bridge/scene/SectionReader.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/WallOutwards.h"
+#include "tissue/parameters/IgnoringVisitor.h"
+#include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
 namespace {
@@ -135,7 +135,7 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
     DescribedLumen loaded = loadDescribedLumen(vessel);
     lumen = std::move(loaded.surface);
     scene.lumenParts = std::move(loaded.parts);
-    scene.lumenRemarks = std::move(loaded.remarks);
+    scene.remarks = std::move(loaded.remarks);
     requireLumenWithPlanarEnds(lumen);
   } catch (const std::exception& error) {
     blameVessel("lumenSurface", error.what());
@@ -153,7 +153,7 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
                     units.fromSi(vessel.lumenDiameter, "mm")));
   else if (std::string width = remarkOnWidth(scene, diameter);
            !width.empty() && !gives(document, "lumenDiameter"))
-    scene.lumenRemarks.push_back(std::move(width));
+    scene.remarks.push_back(std::move(width));
   const bool straight = frameAlongZ(lumen).has_value();
   const double length = distanceOfEnds(lumen);
   // Along a bent lumen the distance between its ends says little

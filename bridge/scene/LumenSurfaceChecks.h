@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "FlowResolution.h"
-#include "Scene.h"
-#include "SceneDocument.h"
-#include "SceneFindings.h"
-#include "Units.h"
+#include "bridge/scene/FlowResolution.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/SceneDocument.h"
+#include "bridge/scene/SceneFindings.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "RunParameters.h"
+#include "bridge/scene/RunParameters.h"
 
 namespace restenosis {
 

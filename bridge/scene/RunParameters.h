@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "ParameterVisitor.h"
-#include "SecondsPerDay.h"
+#include "tissue/parameters/ParameterVisitor.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

@@ -6,17 +6,18 @@
 #include <type_traits>
 #include <vector>
 
-#include "CellCycleParameters.h"
-#include "ContactInhibitionParameters.h"
-#include "EndotheliumParameters.h"
-#include "FlowParameters.h"
-#include "FoamSettings.h"
-#include "InjuryParameters.h"
-#include "LbmSettings.h"
-#include "MechanicsParameters.h"
-#include "RunParameters.h"
-#include "StentParameters.h"
-#include "VesselParameters.h"
+#include "bridge/flow/FlowParameters.h"
+#include "bridge/flow/foam/FoamSettings.h"
+#include "bridge/flow/lbm/LbmSettings.h"
+#include "bridge/scene/RunParameters.h"
+#include "tissue/biology/CellCycleParameters.h"
+#include "tissue/biology/ContactInhibitionParameters.h"
+#include "tissue/biology/EndotheliumParameters.h"
+#include "tissue/equilibrium/RelaxationParameters.h"
+#include "tissue/forces/MechanicsParameters.h"
+#include "tissue/stent/InjuryParameters.h"
+#include "tissue/stent/StentParameters.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 
@@ -30,6 +31,7 @@ struct Scene {
   std::optional<StentParameters> stent;
   std::optional<InjuryParameters> injury;
   std::optional<MechanicsParameters> mechanics;
+  std::optional<RelaxationParameters> relaxation;  ///< with `mechanics`; its defaults where it is not given
   std::optional<CellCycleParameters> cellCycle;
   std::optional<ContactInhibitionParameters> contactInhibition;
   std::optional<EndotheliumParameters> endothelium;
@@ -40,8 +42,8 @@ struct Scene {
   OutputParameters output;
   /// What was found in the surface of `vessel.lumenSurface`, a line a part (`lumenParts`).
   std::vector<std::string> lumenParts;
-  /// What may be a mistake in the lumen, of a file or not.
-  std::vector<std::string> lumenRemarks;
+  /// What may be a mistake in the lumen, and keys that are given where they used to be.
+  std::vector<std::string> remarks;
 
   /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
   bool hasTissue() const { return mechanics.has_value(); }
@@ -66,6 +68,7 @@ void Scene::forEachOptionalSection(F&& f) {
   f(stent);
   f(injury);
   f(mechanics);
+  f(relaxation);
   f(cellCycle);
   f(contactInhibition);
   f(endothelium);

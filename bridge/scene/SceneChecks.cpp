@@ -1,4 +1,4 @@
-#include "SceneChecks.h"
+#include "bridge/scene/SceneChecks.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <optional>
 #include <utility>
 
-#include "ArteryWidth.h"
-#include "FlowBackendNames.h"
-#include "FlowResolution.h"
-#include "Limit.h"
-#include "NitricOxide.h"
-#include "SceneStent.h"
-#include "StentDesign.h"
-#include "VesselValidation.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/scene/ArteryWidth.h"
+#include "bridge/scene/FlowResolution.h"
+#include "bridge/surface/SceneStent.h"
+#include "tissue/biology/NitricOxide.h"
+#include "tissue/parameters/Limit.h"
+#include "tissue/stent/StentDesign.h"
+#include "tissue/stent/StentValidation.h"
 
 namespace restenosis {
 namespace {
@@ -68,6 +68,9 @@ Finding needs(bool present, bool needed, std::string_view section, std::string_v
 
 Finding stentWithoutTissue(const Scene& s, const Units&) {
   return needs(s.stent.has_value(), s.hasTissue(), "stent", "mechanics", "struts are pressed into tissue");
+}
+Finding relaxationWithoutTissue(const Scene& s, const Units&) {
+  return needs(s.relaxation.has_value(), s.hasTissue(), "relaxation", "mechanics", "only tissue is relaxed");
 }
 Finding injuryWithoutTissue(const Scene& s, const Units&) {
   return needs(s.injury.has_value(), s.hasTissue(), "injury", "mechanics", "injury happens to tissue");
@@ -190,6 +193,7 @@ const std::vector<Check>& checks() {
       {{"scene.duration", "scene.step"}, durationBetweenSteps},
       {{"scene.step", "scene.duration"}, tooManySteps},
       {{"stent", "mechanics"}, stentWithoutTissue},
+      {{"relaxation", "mechanics"}, relaxationWithoutTissue},
       {{"injury", "mechanics"}, injuryWithoutTissue},
       {{"cellCycle", "mechanics"}, cellCycleWithoutTissue},
       {{"contactInhibition", "cellCycle"}, inhibitionWithoutCycle},

@@ -1,4 +1,4 @@
-#include "SceneDocument.h"
+#include "bridge/scene/SceneDocument.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +29,9 @@ constexpr void expectedByParser(bool fulfilled) {
 #define TOML_UNREACHABLE __builtin_unreachable()
 #include <toml++/toml.h>
 
-#include "NearestName.h"
-#include "TomlDepth.h"
-#include "Trimmed.h"
+#include "bridge/scene/TomlDepth.h"
+#include "tissue/parameters/NearestName.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {
@@ -217,6 +217,22 @@ void SceneDocument::apply(const SceneOverride& override, std::vector<Diagnostic>
   if (key.empty()) return complain("no key; write section.key=value");
   sections_.try_emplace(section, GivenSection{place, {}}).first->second.values[key] = {
       typedValue(value), place, std::string(value)};
+}
+
+std::vector<std::string> SceneDocument::moveKeys(std::string_view from, std::string_view to,
+                                                 std::span<const std::string_view> keys) {
+  std::vector<std::string> moved;
+  const auto source = sections_.find(from);
+  if (source == sections_.end()) return moved;
+  auto& values = source->second.values;
+  for (const std::string_view key : keys) {
+    const auto given = values.find(key);
+    if (given == values.end() || find(to, key) != nullptr) continue;
+    const auto target = sections_.try_emplace(std::string(to), GivenSection{source->second.place, {}}).first;
+    target->second.values.insert(values.extract(given));
+    moved.emplace_back(key);
+  }
+  return moved;
 }
 
 const GivenSection* SceneDocument::find(std::string_view section) const {

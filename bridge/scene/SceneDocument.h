@@ -3,14 +3,15 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "Diagnostic.h"
-#include "SceneOverride.h"
+#include "bridge/scene/Diagnostic.h"
+#include "bridge/scene/SceneOverride.h"
 
 namespace restenosis {
 
@@ -52,6 +53,10 @@ class SceneDocument {
   /// Of a key without its section the message says what may be meant among `known`.
   void apply(const SceneOverride& override, std::vector<Diagnostic>& diagnostics,
              const KeysOfSections& known = {});
+
+  /// Puts keys of one section into another that does not give them itself; returns which.
+  std::vector<std::string> moveKeys(std::string_view from, std::string_view to,
+                                    std::span<const std::string_view> keys);
 
   const std::string& file() const { return file_; }
   const std::map<std::string, GivenSection, std::less<>>& sections() const { return sections_; }

@@ -1,10 +1,10 @@
-#include "SceneFiles.h"
+#include "bridge/scene/SceneFiles.h"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "IgnoringVisitor.h"
+#include "tissue/parameters/IgnoringVisitor.h"
 
 namespace restenosis {
 namespace {

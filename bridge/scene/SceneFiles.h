@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "Scene.h"
+#include "bridge/scene/Scene.h"
 
 namespace restenosis {
 

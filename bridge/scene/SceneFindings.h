@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "Diagnostic.h"
+#include "bridge/scene/Diagnostic.h"
 
 namespace restenosis {
 

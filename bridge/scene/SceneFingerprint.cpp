@@ -1,4 +1,4 @@
-#include "SceneFingerprint.h"
+#include "bridge/scene/SceneFingerprint.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "FileContent.h"
-#include "FlowBackendNames.h"
-#include "IgnoringVisitor.h"
-#include "SceneFiles.h"
-#include "StateArchive.h"
-#include "Units.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/scene/SceneFiles.h"
+#include "bridge/scene/Units.h"
+#include "bridge/system/FileContent.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/parameters/IgnoringVisitor.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "SceneReader.h"
+#include "bridge/scene/SceneReader.h"
 
 #include <fmt/format.h>
 
@@ -8,15 +8,16 @@
 #include <tuple>
 #include <type_traits>
 
-#include "ArteryWidth.h"
-#include "FileContent.h"
-#include "LumenSurfaceChecks.h"
-#include "NearestName.h"
-#include "SceneChecks.h"
-#include "SceneDocument.h"
-#include "SceneFindings.h"
-#include "SectionReader.h"
-#include "StentDesign.h"
+#include "bridge/scene/ArteryWidth.h"
+#include "bridge/scene/LumenSurfaceChecks.h"
+#include "bridge/scene/SceneChecks.h"
+#include "bridge/scene/SceneDocument.h"
+#include "bridge/scene/SceneFindings.h"
+#include "bridge/scene/SectionReader.h"
+#include "bridge/system/FileContent.h"
+#include "tissue/parameters/NameList.h"
+#include "tissue/parameters/NearestName.h"
+#include "tissue/stent/StentDesign.h"
 
 namespace restenosis {
 namespace {
@@ -69,6 +70,17 @@ void checkSections(const SceneDocument& document, const KeysOfSections& all, Sce
   }
 }
 
+/// Numerical settings stood among those of the mechanics once.
+std::string followMovedKeys(SceneDocument& document, const KeysOfSections& all) {
+  const auto moved =
+      std::ranges::find(all, RelaxationParameters::section, [](const auto& s) { return s.first; });
+  const auto keys = document.moveKeys(MechanicsParameters::section, moved->first, moved->second);
+  if (keys.empty()) return {};
+  return fmt::format("of [{}] these keys belong in [{}], where they are taken to be: {}",
+                     MechanicsParameters::section, moved->first,
+                     commaSeparated(std::vector<std::string_view>(keys.begin(), keys.end())));
+}
+
 /// Defaults that follow from other keys.
 void resolve(Scene& scene, const SceneDocument& document) {
   // A design such as one ring has no use for the length of a stent: the default must not make a short vessel
@@ -78,6 +90,7 @@ void resolve(Scene& scene, const SceneDocument& document) {
       stent->values.count("length") == 0) {
     scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
   }
+  if (scene.mechanics && !scene.relaxation) scene.relaxation.emplace();
   // What makes a fidelity, where it is not given.
   if (const GivenSection* given = document.find(FoamSettings::section)) {
     const FoamSettings level = FoamSettings::forFidelity(scene.scene.fidelity);
@@ -140,6 +153,7 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   if (document.broken()) throw SceneError(findings.diagnostics);
   const KeysOfSections all = keysOfSections();
   for (const auto& override : overrides) document.apply(override, findings.diagnostics, all);
+  std::string movedKeys = followMovedKeys(document, all);
   checkSections(document, all, findings);
 
   Scene scene;
@@ -161,9 +175,10 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   checkScene(scene, document, units_, loaded, findings);
 
   if (findings.diagnostics.empty()) {
+    if (!movedKeys.empty()) scene.remarks.push_back(std::move(movedKeys));
     if (scene.vessel.lumenSurface.empty())
       if (std::string width = remarkOnWidth(scene, scene.vessel.lumenDiameter); !width.empty())
-        scene.lumenRemarks.push_back(std::move(width));
+        scene.remarks.push_back(std::move(width));
     return scene;
   }
   // In the order of the file; what comes from the command line last.

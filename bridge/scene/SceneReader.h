@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "Diagnostic.h"
-#include "Scene.h"
-#include "SceneOverride.h"
-#include "Units.h"
+#include "bridge/scene/Diagnostic.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/SceneOverride.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "SceneWriter.h"
+#include "bridge/scene/SceneWriter.h"
 
 #include <fmt/format.h>
 

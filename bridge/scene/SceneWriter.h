@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "Scene.h"
-#include "Units.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "SchemaPrinter.h"
+#include "bridge/scene/SchemaPrinter.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "NameList.h"
-#include "Scene.h"
-#include "SectionReader.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/SectionReader.h"
+#include "tissue/parameters/NameList.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "Units.h"
+#include "bridge/scene/Units.h"
 
 namespace restenosis {
 

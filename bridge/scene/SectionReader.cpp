@@ -1,13 +1,13 @@
-#include "SectionReader.h"
+#include "bridge/scene/SectionReader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "FileContent.h"
-#include "NameList.h"
-#include "NearestName.h"
+#include "bridge/system/FileContent.h"
+#include "tissue/parameters/NameList.h"
+#include "tissue/parameters/NearestName.h"
 
 namespace restenosis {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "ParameterVisitor.h"
-#include "SceneDocument.h"
-#include "SceneFindings.h"
-#include "Units.h"
+#include "bridge/scene/SceneDocument.h"
+#include "bridge/scene/SceneFindings.h"
+#include "bridge/scene/Units.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

@@ -1,11 +1,11 @@
-#include "SweptSetting.h"
+#include "bridge/scene/SweptSetting.h"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "FlowBackendNames.h"
-#include "Trimmed.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {
@@ -39,9 +39,9 @@ SweptSetting readSweptSetting(std::string_view text) {
 std::vector<SweptSetting> sweptSettings(const Scene& scene) {
   std::vector<SweptSetting> all;
   if (!scene.hasTissue()) return all;
-  SweptSetting tolerance{"mechanics.tolerance", {}};
+  SweptSetting tolerance{"relaxation.tolerance", {}};
   for (const double factor : factors)
-    tolerance.values.push_back(fmt::format("{:.6g}", factor * scene.mechanics->tolerance));
+    tolerance.values.push_back(fmt::format("{:.6g}", factor * scene.relaxation->tolerance));
   all.push_back(tolerance);
   const bool solved = scene.flow && scene.flow->backend != flowBackendNames::none && scene.endothelium;
   if (solved && scene.coupling.schedule == "onChange") {

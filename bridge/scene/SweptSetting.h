@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "Scene.h"
+#include "bridge/scene/Scene.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "TomlDepth.h"
+#include "bridge/scene/TomlDepth.h"
 
 #include <algorithm>
 

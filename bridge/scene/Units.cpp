@@ -1,4 +1,4 @@
-#include "Units.h"
+#include "bridge/scene/Units.h"
 
 #include <fmt/format.h>
 #include <udunits2.h>
@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-#include "Trimmed.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "BandField.h"
+#include "bridge/surface/BandField.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "LumenGrid.h"
+#include "bridge/surface/LumenGrid.h"
 
 namespace restenosis {
 

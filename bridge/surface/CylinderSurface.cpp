@@ -1,4 +1,4 @@
-#include "CylinderSurface.h"
+#include "bridge/surface/CylinderSurface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "TriSurface.h"
-#include "VesselParameters.h"
+#include "bridge/surface/TriSurface.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,11 +1,11 @@
-#include "DistanceField.h"
+#include "bridge/surface/DistanceField.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "Room.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 namespace {

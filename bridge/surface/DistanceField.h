@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "BandField.h"
-#include "LumenGrid.h"
-#include "Stent.h"
+#include "bridge/surface/BandField.h"
+#include "bridge/surface/LumenGrid.h"
+#include "tissue/stent/Stent.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "FieldTopology.h"
+#include "bridge/surface/FieldTopology.h"
 
 #include <algorithm>
 #include <cstdint>

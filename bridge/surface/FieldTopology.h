@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "BandField.h"
-#include "LumenGrid.h"
+#include "bridge/surface/BandField.h"
+#include "bridge/surface/LumenGrid.h"
 
 namespace restenosis {
 

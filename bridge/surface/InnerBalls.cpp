@@ -1,4 +1,4 @@
-#include "InnerBalls.h"
+#include "bridge/surface/InnerBalls.h"
 
 #include <algorithm>
 

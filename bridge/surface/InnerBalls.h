@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "DistanceField.h"
-#include "NearestTriangle.h"
+#include "bridge/surface/DistanceField.h"
+#include "bridge/surface/NearestTriangle.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LoadedLumen.h"
+#include "bridge/surface/LoadedLumen.h"
 
 #include <fmt/format.h>
 
@@ -10,17 +10,17 @@
 #include <optional>
 #include <string>
 
-#include "LengthUnit.h"
-#include "LumenCap.h"
-#include "LumenParts.h"
-#include "LumenRefusal.h"
-#include "LumenRims.h"
-#include "NamedSolids.h"
-#include "SolidNames.h"
-#include "StlFile.h"
-#include "SurfaceCrossings.h"
-#include "SurfaceEnds.h"
-#include "SurfacePieces.h"
+#include "bridge/surface/LengthUnit.h"
+#include "bridge/surface/LumenCap.h"
+#include "bridge/surface/LumenParts.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/LumenRims.h"
+#include "bridge/surface/NamedSolids.h"
+#include "bridge/surface/SolidNames.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/SurfaceCrossings.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/SurfacePieces.h"
 
 namespace restenosis {
 namespace {

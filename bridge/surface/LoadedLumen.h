@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "TriSurface.h"
-#include "VesselParameters.h"
+#include "bridge/surface/TriSurface.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

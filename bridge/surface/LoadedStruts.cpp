@@ -1,4 +1,4 @@
-#include "LoadedStruts.h"
+#include "bridge/surface/LoadedStruts.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "LumenRefusal.h"
-#include "NamedSolids.h"
-#include "SolidNames.h"
-#include "StlFile.h"
-#include "SurfaceCrossings.h"
-#include "SurfaceEnds.h"
-#include "SurfacePieces.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/NamedSolids.h"
+#include "bridge/surface/SolidNames.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/SurfaceCrossings.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/SurfacePieces.h"
 
 namespace restenosis {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "SurfaceEnds.h"
-#include "TriSurface.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,11 +1,11 @@
-#include "LumenField.h"
+#include "bridge/surface/LumenField.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "RadiusMap.h"
+#include "tissue/vessel/RadiusMap.h"
 
 namespace restenosis {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <utility>
 
-#include "AgentStore.h"
-#include "BandField.h"
-#include "DistanceField.h"
-#include "FieldTopology.h"
+#include "bridge/surface/BandField.h"
+#include "bridge/surface/DistanceField.h"
+#include "bridge/surface/FieldTopology.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenGrid.h"
+#include "bridge/surface/LumenGrid.h"
 
 #include <algorithm>
 #include <cmath>

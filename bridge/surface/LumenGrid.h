@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

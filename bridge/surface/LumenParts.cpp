@@ -1,4 +1,4 @@
-#include "LumenParts.h"
+#include "bridge/surface/LumenParts.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "LumenRefusal.h"
-#include "NamedSolids.h"
-#include "SolidNames.h"
-#include "SurfaceEnds.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/NamedSolids.h"
+#include "bridge/surface/SolidNames.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

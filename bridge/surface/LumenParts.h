@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "LumenCap.h"
-#include "StlFile.h"
+#include "bridge/surface/LumenCap.h"
+#include "bridge/surface/StlFile.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenRefusal.h"
+#include "bridge/surface/LumenRefusal.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "SurfaceEnds.h"
-#include "TriSurface.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

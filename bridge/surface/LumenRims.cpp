@@ -1,4 +1,4 @@
-#include "LumenRims.h"
+#include "bridge/surface/LumenRims.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "LumenRefusal.h"
-#include "SurfaceEnds.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

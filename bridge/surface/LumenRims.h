@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "LumenCap.h"
+#include "bridge/surface/LumenCap.h"
 
 namespace restenosis {
 

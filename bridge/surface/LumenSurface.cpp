@@ -1,4 +1,4 @@
-#include "LumenSurface.h"
+#include "bridge/surface/LumenSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-#include "SurfaceRelaxation.h"
+#include "bridge/surface/SurfaceRelaxation.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "LumenField.h"
-#include "TriSurface.h"
+#include "bridge/surface/LumenField.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

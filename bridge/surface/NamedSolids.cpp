@@ -1,4 +1,4 @@
-#include "NamedSolids.h"
+#include "bridge/surface/NamedSolids.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "LumenRefusal.h"
-#include "SolidNames.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/SolidNames.h"
 
 namespace restenosis {
 namespace {

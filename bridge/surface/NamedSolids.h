@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "LumenCap.h"
-#include "StlFile.h"
-#include "SurfaceEnds.h"
+#include "bridge/surface/LumenCap.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 

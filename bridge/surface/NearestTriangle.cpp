@@ -1,4 +1,4 @@
-#include "NearestTriangle.h"
+#include "bridge/surface/NearestTriangle.h"
 
 #include <algorithm>
 #include <stdexcept>

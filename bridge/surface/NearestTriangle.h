@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "PointTree.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 

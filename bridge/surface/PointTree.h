@@ -4,7 +4,7 @@
 #include <nanoflann.hpp>
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "RadialMap.h"
+#include "bridge/surface/RadialMap.h"
 
 #include <algorithm>
 #include <cmath>

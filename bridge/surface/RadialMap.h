@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "LumenField.h"
+#include "bridge/surface/LumenField.h"
 
 namespace restenosis {
 

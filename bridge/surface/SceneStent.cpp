@@ -1,4 +1,4 @@
-#include "SceneStent.h"
+#include "bridge/surface/SceneStent.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "Cylindrical.h"
-#include "LengthUnit.h"
-#include "LengthUnits.h"
-#include "LoadedStruts.h"
-#include "SolidCover.h"
-#include "StrutAgents.h"
-#include "TableBounds.h"
+#include "bridge/surface/LengthUnit.h"
+#include "bridge/surface/LoadedStruts.h"
+#include "bridge/surface/SolidCover.h"
+#include "tissue/parameters/LengthUnits.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/TableBounds.h"
 
 namespace restenosis {
 namespace {

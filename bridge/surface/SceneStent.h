@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "AgentTable.h"
-#include "Stent.h"
-#include "StentParameters.h"
-#include "VesselParameters.h"
+#include "tissue/stent/Stent.h"
+#include "tissue/stent/StentParameters.h"
+#include "tissue/vessel/AgentTable.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,12 +1,12 @@
-#include "SolidCover.h"
+#include "bridge/surface/SolidCover.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "InnerBalls.h"
-#include "PointTree.h"
-#include "SurfacePieces.h"
+#include "bridge/surface/InnerBalls.h"
+#include "bridge/surface/PointTree.h"
+#include "bridge/surface/SurfacePieces.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "DistanceField.h"
-#include "TriSurface.h"
+#include "bridge/surface/DistanceField.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

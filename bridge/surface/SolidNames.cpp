@@ -1,4 +1,4 @@
-#include "SolidNames.h"
+#include "bridge/surface/SolidNames.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "Shown.h"
+#include "tissue/parameters/Shown.h"
 
 namespace restenosis {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "StlFile.h"
-#include "TriSurface.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "StlFile.h"
+#include "bridge/surface/StlFile.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -20,8 +20,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "AtomicFile.h"
-#include "StlTriangles.h"
+#include "bridge/surface/StlTriangles.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "StlText.h"
+#include "bridge/surface/StlText.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "Shown.h"
-#include "Trimmed.h"
+#include "tissue/parameters/Shown.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {

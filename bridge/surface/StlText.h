@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "StlTriangles.h"
+#include "bridge/surface/StlTriangles.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "StlTriangles.h"
+#include "bridge/surface/StlTriangles.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "FileContent.h"
-#include "StlText.h"
-#include "Trimmed.h"
+#include "bridge/surface/StlText.h"
+#include "bridge/system/FileContent.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {

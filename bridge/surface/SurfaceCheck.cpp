@@ -1,4 +1,4 @@
-#include "SurfaceCheck.h"
+#include "bridge/surface/SurfaceCheck.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "SurfaceEnds.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

@@ -1,11 +1,11 @@
-#include "SurfaceCrossings.h"
+#include "bridge/surface/SurfaceCrossings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "SurfaceEnds.h"
-#include "TriangleBoxes.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/TriangleBoxes.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "SurfaceEnds.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

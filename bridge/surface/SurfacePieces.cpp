@@ -1,8 +1,8 @@
-#include "SurfacePieces.h"
+#include "bridge/surface/SurfacePieces.h"
 
 #include <utility>
 
-#include "SurfaceEnds.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 

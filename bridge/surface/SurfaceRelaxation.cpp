@@ -1,4 +1,4 @@
-#include "SurfaceRelaxation.h"
+#include "bridge/surface/SurfaceRelaxation.h"
 
 #include <algorithm>
 #include <atomic>

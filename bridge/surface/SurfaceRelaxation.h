@@ -1,7 +1,7 @@
 #pragma once
 
-#include "BandField.h"
-#include "TriSurface.h"
+#include "bridge/surface/BandField.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

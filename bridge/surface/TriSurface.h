@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "TriangleBoxes.h"
+#include "bridge/surface/TriangleBoxes.h"
 
 #include <numeric>
 

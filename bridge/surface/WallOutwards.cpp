@@ -1,4 +1,4 @@
-#include "WallOutwards.h"
+#include "bridge/surface/WallOutwards.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "Chunks.h"
-#include "Cylindrical.h"
-#include "LumenRefusal.h"
-#include "NearestTriangle.h"
+#include "bridge/surface/LumenRefusal.h"
+#include "bridge/surface/NearestTriangle.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "RadiusMap.h"
-#include "TriSurface.h"
-#include "VesselParameters.h"
-#include "WallShape.h"
+#include "bridge/surface/TriSurface.h"
+#include "tissue/vessel/RadiusMap.h"
+#include "tissue/vessel/VesselParameters.h"
+#include "tissue/vessel/WallShape.h"
 
 namespace restenosis {
 

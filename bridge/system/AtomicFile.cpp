@@ -1,4 +1,4 @@
-#include "AtomicFile.h"
+#include "bridge/system/AtomicFile.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

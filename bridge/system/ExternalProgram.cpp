@@ -1,4 +1,4 @@
-#include "ExternalProgram.h"
+#include "bridge/system/ExternalProgram.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "FileContent.h"
+#include "bridge/system/FileContent.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

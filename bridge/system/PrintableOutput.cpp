@@ -1,11 +1,11 @@
-#include "PrintableOutput.h"
+#include "bridge/system/PrintableOutput.h"
 
 #include <iostream>
 #include <streambuf>
 #include <string>
 #include <string_view>
 
-#include "Printable.h"
+#include "tissue/parameters/Printable.h"
 
 namespace restenosis {
 namespace {

@@ -24,8 +24,8 @@ STEPS = {"fixed effort": {"hertzNeoHookean": (10, 100, 1000), "hertz": (10, 100,
          "overdamped, fixed effort": {"hertzNeoHookean": (30, 100, 1000), "hertz": (30, 100, 1000)},
          "relaxed": {"hertzNeoHookean": (100,), "hertz": (100,)}}
 SETTINGS = {"fixed effort": {},
-            "overdamped, fixed effort": {"mechanics.minimiser": "overdamped"},
-            "relaxed": {"mechanics.stopAtMaximum": "false", "mechanics.maximumIterations": "20000"}}
+            "overdamped, fixed effort": {"relaxation.minimiser": "overdamped"},
+            "relaxed": {"relaxation.stopAtMaximum": "false", "relaxation.maximumIterations": "20000"}}
 TITLES = {"fixed effort": "11 force evaluations in each step",
           "overdamped, fixed effort": "the same, moved as the thesis does",
           "relaxed": "each step relaxed"}

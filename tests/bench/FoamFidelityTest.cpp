@@ -1,12 +1,12 @@
 // Cost and WSS error of the fidelity levels, on a plain tube and with one strut ring. Prints a table.
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis::support {
 namespace {

@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <limits>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "LumenFile.h"
-#include "OpenFoamPresent.h"
-#include "PointTree.h"
-#include "TemporaryFolder.h"
+#include "bridge/compare/LumenFile.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/surface/PointTree.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis::support {
 namespace {

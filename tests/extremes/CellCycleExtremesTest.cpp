@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "Biology.h"
+#include "tissue/biology/Biology.h"
 
 namespace restenosis {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "Deployment.h"
-#include "EscapedAgents.h"
-#include "SmallDeployment.h"
-#include "StrutAgents.h"
-#include "WallPacking.h"
-#include "WholeProgram.h"
+#include "tests/support/SmallDeployment.h"
+#include "tests/support/WholeProgram.h"
+#include "tissue/stent/Deployment.h"
+#include "tissue/stent/EscapedAgents.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -17,8 +17,8 @@ using Setting = support::SmallDeployment;
 /// Deploys, every step of it to rest, and expects a wall that is whole and either outside the struts or
 /// refused.
 void deploy(const Setting& s) {
-  Wall wall = packWall(s.vessel, s.mechanics, 1);
-  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+  Wall wall = packWall(s.vessel, s.mechanics, s.relaxation, 1);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
   ASSERT_NO_THROW(deployment.run(
       [](const Deployment&, const RelaxationReport& report) { EXPECT_TRUE(report.converged); }));
   EXPECT_TRUE(deployment.done());
@@ -37,14 +37,14 @@ void deploy(const Setting& s) {
 TEST(DeploymentExtremes, AWallThatCannotBePackedNamesTheScenesSettings) {
   Setting s;
   s.vessel.wallThickness = 0.1e-3, s.vessel.lumenDiameter = 0.1e-3, s.vessel.length = 0.2e-3;
-  s.mechanics.stepLimit = 1e-6;  // so that no agent gets anywhere
+  s.relaxation.stepLimit = 1e-6;  // so that no agent gets anywhere
   try {
-    packWall(s.vessel, s.mechanics, 1);
+    packWall(s.vessel, s.mechanics, s.relaxation, 1);
     FAIL();
   } catch (const RelaxationFailed& failure) {
     const std::string message = failure.what();
     for (const char* part : {"the packed wall did not come to rest: after 20000 iterations",
-                             "half of mechanics.tolerance = 0.1", "mechanics.stepLimit (now 1e-06)"})
+                             "half of relaxation.tolerance = 0.1", "relaxation.stepLimit (now 1e-06)"})
       EXPECT_NE(message.find(part), std::string::npos) << message;
   }
 }

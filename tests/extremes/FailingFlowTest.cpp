@@ -1,8 +1,8 @@
 #include <regex>
 #include <thread>
 
-#include "OpenFoamPresent.h"
-#include "WholeProgram.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

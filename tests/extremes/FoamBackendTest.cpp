@@ -4,15 +4,15 @@
 #include <fstream>
 #include <limits>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "FoamLog.h"
-#include "FoamRun.h"
-#include "FoamTemplate.h"
-#include "LumenStl.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamRun.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/flow/foam/LumenStl.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -7,14 +7,14 @@
 #include <memory>
 #include <thread>
 
-#include "AtomicFile.h"
-#include "EnvironmentVariable.h"
-#include "FileSizeLimit.h"
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/EnvironmentVariable.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 // Biology at the ends of what a scene may say: the run ends well all the same.
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

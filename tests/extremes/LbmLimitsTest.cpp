@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "FlowSupport.h"
-#include "LatticeSupport.h"
-#include "LbmBackend.h"
-#include "SteadyLattice.h"
+#include "bridge/flow/lbm/LbmBackend.h"
+#include "bridge/flow/lbm/SteadyLattice.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/LatticeSupport.h"
 
 namespace restenosis {
 namespace {

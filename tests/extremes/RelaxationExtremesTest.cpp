@@ -5,11 +5,12 @@
 
 #include <cmath>
 
-#include "Constants.h"
-#include "ContactLaws.h"
-#include "Minimiser.h"
-#include "RandomStream.h"
-#include "Relaxation.h"
+#include "tests/support/Constants.h"
+#include "tests/support/Mechanics.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/equilibrium/Minimiser.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/ContactLaws.h"
 
 namespace restenosis {
 namespace {
@@ -50,11 +51,11 @@ TEST(RelaxationExtremes, CoincidingCentresComeApart) {
   for (const auto law : contactLawNames()) {
     for (const auto minimiser : minimiserNames()) {
       for (const Index count : {2u, 3u, 30u}) {
-        MechanicsParameters p;
-        p.contactLaw = law, p.minimiser = minimiser;
+        Mechanics p;
+        p.forces.contactLaw = law, p.relaxation.minimiser = minimiser;
         AgentStore agents;
         for (Index i = 0; i < count; ++i) agents.append(AgentKind::smc, {1e-4, 2e-4, 3e-4}, r);
-        const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
+        const auto report = Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
         EXPECT_TRUE(report.converged) << law << ' ' << minimiser << ' ' << count;
         EXPECT_TRUE(allFinite(agents));
         // Thirty of them push each other no further than in a row.
@@ -79,9 +80,9 @@ AgentStore halfCompressedColumn(Index cells) {
 }
 
 TEST(RelaxationExtremes, AColumnOfAThousandCompressedCellsStaysAColumn) {
-  MechanicsParameters p;
+  Mechanics p;
   AgentStore agents = halfCompressedColumn(1000);
-  const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
+  const auto report = Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
   EXPECT_TRUE(report.converged);
   double widest = 0, narrowest = 1;
   for (Index k = 1; k < agents.size(); ++k) {
@@ -94,24 +95,24 @@ TEST(RelaxationExtremes, AColumnOfAThousandCompressedCellsStaysAColumn) {
 }
 
 TEST(RelaxationExtremes, AColumnOfAHundredSharesItsLoad) {
-  MechanicsParameters p;
-  p.maximumIterations = 20000;
-  p.tolerance = 1e-5;  // a hundred times this is still little against the force in the column
+  Mechanics p;
+  p.relaxation.maximumIterations = 20000;
+  p.relaxation.tolerance = 1e-5;  // a hundred times this is still little against the force in the column
   AgentStore agents = halfCompressedColumn(100);
   const double even = agents.z[99] / 99;
-  Relaxation(p, r).relax(agents, noBonds(agents), {});
+  Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
   for (Index k = 1; k < agents.size(); ++k) EXPECT_NEAR((agents.z[k] - agents.z[k - 1]) / even, 1, 1e-3) << k;
 }
 
 TEST(RelaxationExtremes, ACellFarFromAllOthersStaysWhereItIs) {
   for (const auto* precision : {"mixed", "double"}) {
-    MechanicsParameters p;
-    p.precision = precision;
+    Mechanics p;
+    p.relaxation.precision = precision;
     AgentStore agents;
     for (int k = 0; k < 10; ++k) agents.append(AgentKind::smc, {k * 1.5 * r, 0, 0}, r);
     const Vec3 far(1.0, -2.0, 3.0);  // metres
     const Index alone = agents.append(AgentKind::smc, far, r);
-    Relaxation(p, r).relax(agents, noBonds(agents), {});
+    Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
     EXPECT_EQ(agents.position(alone), far) << precision;
     EXPECT_GT(agents.x[9] - agents.x[0], 9 * 1.9 * r);
   }
@@ -120,7 +121,7 @@ TEST(RelaxationExtremes, ACellFarFromAllOthersStaysWhereItIs) {
 TEST(RelaxationExtremes, OneAgentIsAtRest) {
   AgentStore agents;
   agents.append(AgentKind::smc, {1e-4, 0, 0}, r);
-  const auto report = Relaxation(MechanicsParameters{}, r).relax(agents, noBonds(agents), {});
+  const auto report = Relaxation({}, {}, r).relax(agents, noBonds(agents), {});
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.iterations, 0);
   EXPECT_EQ(agents.position(0), Vec3(1e-4, 0, 0));
@@ -128,7 +129,7 @@ TEST(RelaxationExtremes, OneAgentIsAtRest) {
 
 TEST(RelaxationExtremes, NoAgentsAreAtRest) {
   AgentStore agents;
-  EXPECT_TRUE(Relaxation(MechanicsParameters{}, r).relax(agents, noBonds(agents), {}).converged);
+  EXPECT_TRUE(Relaxation({}, {}, r).relax(agents, noBonds(agents), {}).converged);
 }
 
 /// A ball of agents a quarter of their size apart: each is far inside dozens of others.
@@ -150,10 +151,10 @@ AgentStore crushedBall() {
 TEST(RelaxationExtremes, ACrushedBallExplodesNoFurtherThanItsSizeAndNeverImplodes) {
   for (const auto law : contactLawNames()) {
     for (const auto minimiser : minimiserNames()) {
-      MechanicsParameters p;
-      p.contactLaw = law, p.minimiser = minimiser;
+      Mechanics p;
+      p.forces.contactLaw = law, p.relaxation.minimiser = minimiser;
       AgentStore agents = crushedBall();
-      const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
+      const auto report = Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
       EXPECT_TRUE(report.converged);
       EXPECT_GT(closest(agents), 0.9) << law << ' ' << minimiser;
       // 343 cells at the density of a loose packing fill a ball of 9 r; nobody is flung away.
@@ -164,13 +165,13 @@ TEST(RelaxationExtremes, ACrushedBallExplodesNoFurtherThanItsSizeAndNeverImplode
 
 TEST(RelaxationExtremes, SizesAHundredToOneComeApartToo) {
   for (const auto law : contactLawNames()) {
-    MechanicsParameters p;
-    p.contactLaw = law;
-    p.maximumIterations = 100000;
+    Mechanics p;
+    p.forces.contactLaw = law;
+    p.relaxation.maximumIterations = 100000;
     AgentStore agents;
     agents.append(AgentKind::smc, Vec3::Zero(), 100 * r);
     agents.append(AgentKind::smc, {0.3 * r, 0, 0}, r);  // deep inside, past the pole
-    const auto report = Relaxation(p, r).relax(agents, noBonds(agents), {});
+    const auto report = Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {});
     EXPECT_TRUE(report.converged) << law;
     EXPECT_GT(closest(agents), 0.99) << law;
     EXPECT_LT(closest(agents), 1.01) << law;
@@ -179,14 +180,14 @@ TEST(RelaxationExtremes, SizesAHundredToOneComeApartToo) {
 
 TEST(RelaxationExtremes, StepsAHundredTimesTooLargeEndSomewhereOrSayWhatToChange) {
   for (const auto minimiser : minimiserNames()) {
-    MechanicsParameters p;
-    p.minimiser = minimiser;
-    p.stepLimit *= 100;
+    Mechanics p;
+    p.relaxation.minimiser = minimiser;
+    p.relaxation.stepLimit *= 100;
     AgentStore agents = crushedBall();
     try {
-      EXPECT_TRUE(Relaxation(p, r).relax(agents, noBonds(agents), {}).converged);
+      EXPECT_TRUE(Relaxation(p.forces, p.relaxation, r).relax(agents, noBonds(agents), {}).converged);
     } catch (const RelaxationFailed& failure) {
-      EXPECT_NE(std::string(failure.what()).find("mechanics.maximumIterations"), std::string::npos);
+      EXPECT_NE(std::string(failure.what()).find("relaxation.maximumIterations"), std::string::npos);
     }
     EXPECT_TRUE(allFinite(agents));
     EXPECT_LT(largestDistance(agents), 1e-2) << minimiser;

@@ -1,7 +1,7 @@
 #include <memory>
 #include <thread>
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <limits>
 
-#include "FlowSupport.h"
-#include "HookTube.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
-#include "WholeProgram.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <sys/stat.h>
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

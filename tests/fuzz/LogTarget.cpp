@@ -1,9 +1,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "DictionaryText.h"
-#include "FoamLog.h"
-#include "FuzzTargets.h"
+#include "bridge/flow/foam/DictionaryText.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "tests/fuzz/FuzzTargets.h"
 
 namespace restenosis {
 

@@ -2,8 +2,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "FuzzTargets.h"
-#include "PolyMesh.h"
+#include "bridge/flow/foam/PolyMesh.h"
+#include "tests/fuzz/FuzzTargets.h"
 
 namespace restenosis {
 namespace {

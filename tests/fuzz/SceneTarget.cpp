@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "FuzzTargets.h"
-#include "Printable.h"
-#include "SceneReader.h"
-#include "SceneWriter.h"
-#include "SweptSetting.h"
-#include "Units.h"
+#include "bridge/scene/SceneReader.h"
+#include "bridge/scene/SceneWriter.h"
+#include "bridge/scene/SweptSetting.h"
+#include "bridge/scene/Units.h"
+#include "tests/fuzz/FuzzTargets.h"
+#include "tissue/parameters/Printable.h"
 
 namespace restenosis {
 namespace {

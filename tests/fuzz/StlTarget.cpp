@@ -1,10 +1,10 @@
 #include <stdexcept>
 
-#include "FuzzTargets.h"
-#include "LoadedLumen.h"
-#include "LoadedStruts.h"
-#include "MemoryFile.h"
-#include "StlFile.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/LoadedStruts.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/fuzz/FuzzTargets.h"
+#include "tests/fuzz/MemoryFile.h"
 
 namespace restenosis {
 

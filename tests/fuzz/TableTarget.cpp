@@ -1,10 +1,10 @@
 #include <stdexcept>
 
-#include "AgentTable.h"
-#include "FuzzTargets.h"
-#include "MemoryFile.h"
-#include "SceneStent.h"
-#include "WallTable.h"
+#include "bridge/surface/SceneStent.h"
+#include "tests/fuzz/FuzzTargets.h"
+#include "tests/fuzz/MemoryFile.h"
+#include "tissue/vessel/AgentTable.h"
+#include "tissue/vessel/WallTable.h"
 
 namespace restenosis {
 
@@ -31,9 +31,9 @@ void fuzzTable(std::string_view input) {
   });
   VesselParameters vessel;
   vessel.agents = file;
-  attempt([&] { readWallTable(vessel, nullptr); });
+  attempt([&] { readWallTable(vessel, {}); });
   StentParameters stent;
-  attempt([&] { readWallTable(vessel, &stent); });
+  attempt([&] { readWallTable(vessel, stent.deploymentDepth); });
   stent.file = file;
   attempt([&] { makeStent(stent, vessel); });
 }

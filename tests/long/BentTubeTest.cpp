@@ -3,15 +3,15 @@
 
 #include <numbers>
 
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "LoadedLumen.h"
-#include "LumenFrame.h"
-#include "OpenFoamPresent.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TemporaryFolder.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

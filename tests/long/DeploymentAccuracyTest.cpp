@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "DeploymentAccuracy.h"
+#include "tests/support/DeploymentAccuracy.h"
 
 namespace restenosis {
 namespace {

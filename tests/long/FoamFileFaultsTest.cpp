@@ -1,6 +1,6 @@
 // A full disk or a crash amid the case of an OpenFOAM solve.
-#include "FileFaults.h"
-#include "OpenFoamPresent.h"
+#include "tests/support/FileFaults.h"
+#include "tests/support/OpenFoamPresent.h"
 
 namespace restenosis {
 namespace {

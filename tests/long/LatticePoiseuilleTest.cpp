@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "LatticeSupport.h"
+#include "tests/support/LatticeSupport.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "LbmCases.h"
+#include "tests/support/LbmCases.h"
 
 namespace restenosis {
 namespace {

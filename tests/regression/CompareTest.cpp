@@ -6,12 +6,12 @@
 
 #include <sstream>
 
-#include "OpenFoamPresent.h"
-#include "ResultsFolder.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
-#include "WholeProgram.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

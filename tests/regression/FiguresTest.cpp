@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "EnvironmentVariable.h"
-#include "Figures.h"
-#include "Process.h"
-#include "SyntheticResults.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/Figures.h"
+#include "tests/support/EnvironmentVariable.h"
+#include "tests/support/Process.h"
+#include "tests/support/SyntheticResults.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "FileFaults.h"
+#include "tests/support/FileFaults.h"
 
 namespace restenosis {
 namespace {

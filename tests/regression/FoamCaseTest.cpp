@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "DictionaryText.h"
-#include "FoamLog.h"
-#include "FoamTemplate.h"
-#include "OpenFoamPresent.h"
-#include "Process.h"
+#include "bridge/flow/foam/DictionaryText.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/Process.h"
 
 namespace restenosis {
 namespace {

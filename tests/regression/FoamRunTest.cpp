@@ -1,5 +1,5 @@
-#include "OpenFoamPresent.h"
-#include "WholeProgram.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

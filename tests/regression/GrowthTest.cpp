@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "MechanicsParameters.h"
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
+#include "tissue/equilibrium/RelaxationParameters.h"
 
 namespace restenosis {
 namespace {
@@ -76,7 +76,7 @@ TEST_F(Growth, TakesTheLumenOnlyWhereItIsRead) {
   EXPECT_GT(json["relaxation"]["iterations"], 0);
   EXPECT_GT(json["relaxation"]["agentEvaluations"], json["relaxation"]["iterations"]);
   EXPECT_GT(json["relaxation"]["largestForceLeft"], 0);
-  EXPECT_LE(json["relaxation"]["largestForceLeft"], MechanicsParameters().tolerance);
+  EXPECT_LE(json["relaxation"]["largestForceLeft"], RelaxationParameters().tolerance);
 
   // What is recorded, and when, changes nothing that grows.
   ASSERT_EXIT_STATUS(run({"run", scene("tiny", tinyScene), "-o", "seldom", "--flow", "none", "--set",

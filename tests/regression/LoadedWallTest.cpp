@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "FourLayers.h"
-#include "WholeProgram.h"
+#include "tests/support/FourLayers.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "OpenFoamPresent.h"
-#include "WholeProgram.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "SyntheticResults.h"
-#include "TemporaryFolder.h"
+#include "tests/support/SyntheticResults.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -1,15 +1,15 @@
 #include <random>
 #include <thread>
 
-#include "Checkpoint.h"
-#include "ResultsFolder.h"
-#include "Run.h"
-#include "SceneFingerprint.h"
-#include "SceneReader.h"
-#include "StlFile.h"
-#include "StrutSolids.h"
-#include "Units.h"
-#include "WholeProgram.h"
+#include "bridge/coupling/Run.h"
+#include "bridge/output/Checkpoint.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/SceneReader.h"
+#include "bridge/scene/Units.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/StrutSolids.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

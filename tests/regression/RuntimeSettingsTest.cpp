@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

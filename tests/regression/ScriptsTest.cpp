@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "Process.h"
-#include "TinyScene.h"
+#include "tests/support/Process.h"
+#include "tests/support/TinyScene.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 // A stent from an STL is pressed in as a design of the same shape is.
-#include "StlFile.h"
-#include "StrutSolids.h"
-#include "WholeProgram.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/StrutSolids.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -1,10 +1,10 @@
 // Tissue around a lumen from a file, as users start it.
 #include <numbers>
 
-#include "FlowSupport.h"
-#include "StlFile.h"
-#include "TubeSurface.h"
-#include "WholeProgram.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 namespace {

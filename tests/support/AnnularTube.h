@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TubeSurface.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis::support {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "LengthUnits.h"
+#include "tissue/parameters/LengthUnits.h"
 
 /// Numbers that many tests use. All tests of a label are compiled in a few pieces (tests/CMakeLists.txt), so
 /// what two of them need is here and not in each.

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "Deployment.h"
-#include "StrutAgents.h"
-#include "WallPacking.h"
+#include "tissue/stent/Deployment.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis::support {
 
@@ -27,16 +27,16 @@ struct DeploymentDifference {
 /// the ways from there.
 inline DeploymentDifference differenceFromTighter(const VesselParameters& vessel,
                                                   const StentParameters& stent) {
-  const MechanicsParameters usual;
-  MechanicsParameters tight;
+  const RelaxationParameters usual;
+  RelaxationParameters tight;
   tight.tolerance = usual.tolerance / 10;
   tight.precision = "double";
   tight.maximumIterations = 100000;
 
-  const Wall packed = packWall(vessel, usual, 1);
+  const Wall packed = packWall(vessel, {}, usual, 1);
   Wall wall = packed, reference = packed;
-  Deployment one(wall, stentOfDesign(stent, vessel), stent, vessel, usual);
-  Deployment other(reference, stentOfDesign(stent, vessel), stent, vessel, tight);
+  Deployment one(wall, stentOfDesign(stent, vessel), stent, vessel, {}, usual);
+  Deployment other(reference, stentOfDesign(stent, vessel), stent, vessel, {}, tight);
   one.run(), other.run();
 
   DeploymentDifference difference;

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "FlowSupport.h"
-#include "TubeSurface.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis::support {
 

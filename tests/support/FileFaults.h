@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <set>
 
-#include "WholeProgram.h"
+#include "tests/support/WholeProgram.h"
 
 namespace restenosis {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "Constants.h"
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
+#include "tests/support/Constants.h"
 
 namespace restenosis::support {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "SweptTube.h"
+#include "tests/support/SweptTube.h"
 
 namespace restenosis::support {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "LatticeFlow.h"
-#include "TubeSurface.h"
-#include "WallStress.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
+#include "bridge/flow/lbm/WallStress.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis::support {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "EllipticDuct.h"
-#include "FlowSupport.h"
-#include "LatticeSupport.h"
-#include "LbmBackend.h"
+#include "bridge/flow/lbm/LbmBackend.h"
+#include "tests/support/EllipticDuct.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/LatticeSupport.h"
 
 namespace restenosis::support {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ExternalProgram.h"
+#include "bridge/system/ExternalProgram.h"
 
 /// Skips the test where OpenFOAM is not installed.
 #define RESTENOSIS_NEEDS_OPENFOAM()                                        \

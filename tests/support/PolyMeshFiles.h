@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FoamBinary.h"
-#include "PolyMesh.h"
-#include "TemporaryFolder.h"
+#include "bridge/flow/foam/FoamBinary.h"
+#include "bridge/flow/foam/PolyMesh.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis::support {
 

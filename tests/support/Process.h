@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "TemporaryFolder.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "MechanicsParameters.h"
-#include "StentParameters.h"
-#include "VesselParameters.h"
+#include "tissue/equilibrium/RelaxationParameters.h"
+#include "tissue/forces/MechanicsParameters.h"
+#include "tissue/stent/StentParameters.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis::support {
 
@@ -13,11 +14,12 @@ struct SmallDeployment {
     vessel.lumenDiameter = 0.4e-3;
     stent.deploymentDepth = 60e-6;
     stent.deploymentSteps = 20;
-    mechanics.tolerance = 0.1;
+    relaxation.tolerance = 0.1;
   }
   VesselParameters vessel;
   StentParameters stent;
   MechanicsParameters mechanics;
+  RelaxationParameters relaxation;
 };
 
 }  // namespace restenosis::support

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis::support {
 

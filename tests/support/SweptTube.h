@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "Rotation.h"
-#include "TriSurface.h"
+#include "bridge/surface/Rotation.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis::support {
 

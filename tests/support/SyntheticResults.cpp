@@ -1,17 +1,17 @@
-#include "SyntheticResults.h"
+#include "tests/support/SyntheticResults.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "AtomicFile.h"
-#include "Constants.h"
-#include "LumenWriter.h"
-#include "ProfileCsv.h"
-#include "PvdSeries.h"
-#include "RandomStream.h"
-#include "SummaryJson.h"
-#include "TimeSeries.h"
-#include "TissueWriter.h"
+#include "bridge/output/LumenWriter.h"
+#include "bridge/output/ProfileCsv.h"
+#include "bridge/output/PvdSeries.h"
+#include "bridge/output/SummaryJson.h"
+#include "bridge/output/TimeSeries.h"
+#include "bridge/output/TissueWriter.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 

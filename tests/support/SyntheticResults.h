@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "AgentStore.h"
-#include "FlowBackend.h"
-#include "TriSurface.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/surface/TriSurface.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "PolyMesh.h"
+#include "bridge/flow/foam/PolyMesh.h"
 
 namespace restenosis::support {
 

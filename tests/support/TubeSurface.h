@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis::support {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "FlowSupport.h"
+#include "tests/support/FlowSupport.h"
 
 namespace restenosis::support {
 

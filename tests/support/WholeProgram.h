@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "Process.h"
-#include "TemporaryFolder.h"
-#include "TinyScene.h"
+#include "tests/support/Process.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TinyScene.h"
 
 namespace restenosis {
 

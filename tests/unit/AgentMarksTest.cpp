@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "AgentMarks.h"
+#include "tissue/agents/AgentMarks.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "AgentSpheres.h"
-#include "Constants.h"
+#include "tests/support/Constants.h"
+#include "tissue/equilibrium/AgentSpheres.h"
 
 namespace restenosis {
 namespace {

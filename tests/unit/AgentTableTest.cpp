@@ -4,7 +4,7 @@
 #include <fstream>
 #include <tuple>
 
-#include "AgentTable.h"
+#include "tissue/vessel/AgentTable.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "AlikeRemarks.h"
-#include "StateArchive.h"
+#include "bridge/coupling/AlikeRemarks.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

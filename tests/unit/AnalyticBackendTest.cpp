@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "AnalyticBackend.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "TubeSurface.h"
+#include "bridge/flow/analytic/AnalyticBackend.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

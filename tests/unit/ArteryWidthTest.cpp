@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ArteryWidth.h"
+#include "bridge/scene/ArteryWidth.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "AtomicFile.h"
-#include "FileSizeLimit.h"
-#include "TemporaryFolder.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

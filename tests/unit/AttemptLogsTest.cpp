@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "AttemptLogs.h"
-#include "TemporaryFolder.h"
+#include "bridge/flow/foam/AttemptLogs.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "BandField.h"
+#include "bridge/surface/BandField.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "Biology.h"
-#include "Constants.h"
+#include "tests/support/Constants.h"
+#include "tissue/biology/Biology.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "BondAttraction.h"
+#include "tissue/forces/BondAttraction.h"
 
 namespace restenosis {
 namespace {

@@ -4,8 +4,8 @@
 #include <tuple>
 #include <vector>
 
-#include "BondCandidates.h"
-#include "RandomStream.h"
+#include "tissue/agents/BondCandidates.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "BondTable.h"
-#include "RandomStream.h"
+#include "tissue/agents/BondTable.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

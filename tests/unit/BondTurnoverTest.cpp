@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "BondTurnover.h"
-#include "Constants.h"
+#include "tests/support/Constants.h"
+#include "tissue/forces/BondTurnover.h"
 
 namespace restenosis {
 namespace {

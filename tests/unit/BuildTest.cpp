@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "Build.h"
-#include "Version.h"
+#include "bridge/output/Build.h"
+#include "bridge/output/Version.h"
 
 namespace restenosis {
 namespace {

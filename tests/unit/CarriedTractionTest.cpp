@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "CarriedTraction.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "TubeSurface.h"
+#include "bridge/compare/CarriedTraction.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

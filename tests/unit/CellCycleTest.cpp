@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "CellCycle.h"
-#include "Constants.h"
+#include "tests/support/Constants.h"
+#include "tissue/biology/CellCycle.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "CellEstimate.h"
+#include "bridge/flow/foam/CellEstimate.h"
 
 namespace restenosis {
 namespace {

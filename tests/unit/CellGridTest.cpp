@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "CellGrid.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/CellGrid.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "ChangeLedger.h"
-#include "StateArchive.h"
+#include "bridge/coupling/ChangeLedger.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

@@ -3,10 +3,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "AtomicFile.h"
-#include "Checkpoint.h"
-#include "FileSizeLimit.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/Checkpoint.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

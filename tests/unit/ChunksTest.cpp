@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "Chunks.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "Cohesion.h"
+#include "tissue/forces/Cohesion.h"
 
 namespace restenosis {
 namespace {

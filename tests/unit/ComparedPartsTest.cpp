@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "ComparedParts.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "TubeSurface.h"
+#include "bridge/compare/ComparedParts.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
 
 namespace restenosis {
 namespace {

@@ -4,10 +4,10 @@
 #include <map>
 #include <numeric>
 
-#include "Constants.h"
-#include "ContactInhibition.h"
-#include "RandomPacking.h"
-#include "StateArchive.h"
+#include "tests/support/Constants.h"
+#include "tests/support/RandomPacking.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/biology/ContactInhibition.h"
 
 namespace restenosis {
 namespace {

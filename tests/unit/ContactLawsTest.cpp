@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ContactLaws.h"
+#include "tissue/forces/ContactLaws.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "DeflateCompressor.h"
+#include "bridge/output/DeflateCompressor.h"
 
 namespace restenosis {
 namespace {

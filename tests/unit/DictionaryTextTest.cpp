@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "DictionaryText.h"
+#include "bridge/flow/foam/DictionaryText.h"
 
 namespace restenosis {
 namespace {

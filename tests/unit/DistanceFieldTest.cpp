@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "BandField.h"
-#include "Constants.h"
-#include "DistanceField.h"
-#include "SphereWall.h"
+#include "bridge/surface/BandField.h"
+#include "bridge/surface/DistanceField.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SphereWall.h"
 
 namespace restenosis {
 namespace {

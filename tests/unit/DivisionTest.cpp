@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "Constants.h"
-#include "Division.h"
+#include "tests/support/Constants.h"
+#include "tissue/biology/Division.h"
 
 namespace restenosis {
 namespace {

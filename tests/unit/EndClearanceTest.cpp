@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "AnnularTube.h"
-#include "Constants.h"
-#include "EndClearance.h"
-#include "HookTube.h"
-#include "TubeSurface.h"
+#include "bridge/flow/EndClearance.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/Constants.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

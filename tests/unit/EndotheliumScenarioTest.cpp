@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "EndotheliumScenario.h"
+#include "tissue/biology/EndotheliumScenario.h"
 
 namespace restenosis {
 namespace {

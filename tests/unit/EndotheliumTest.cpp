@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "Endothelium.h"
+#include "tissue/biology/Endothelium.h"
 
 namespace restenosis {
 namespace {

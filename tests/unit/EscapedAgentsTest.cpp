@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "EscapedAgents.h"
-#include "StrutAgents.h"
+#include "tissue/stent/EscapedAgents.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ExposureMeasure.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/biology/ExposureMeasure.h"
 
 namespace restenosis {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "EnvironmentVariable.h"
-#include "ExternalProgram.h"
-#include "TemporaryFolder.h"
+#include "bridge/system/ExternalProgram.h"
+#include "tests/support/EnvironmentVariable.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

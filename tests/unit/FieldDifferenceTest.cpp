@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "FieldDifference.h"
+#include "bridge/compare/FieldDifference.h"
 
 namespace restenosis {
 namespace {

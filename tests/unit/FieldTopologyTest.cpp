@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "FieldTopology.h"
+#include "bridge/surface/FieldTopology.h"
 
 namespace restenosis {
 namespace {

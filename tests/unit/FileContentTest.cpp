@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "FileContent.h"
-#include "TemporaryFolder.h"
+#include "bridge/system/FileContent.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "FileDigests.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/FileDigests.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "FixedScale.h"
+#include "tissue/agents/FixedScale.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "FlowBackendNames.h"
-#include "FlowBackends.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/backends/FlowBackends.h"
 
 namespace restenosis {
 namespace {

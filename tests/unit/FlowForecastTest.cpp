@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "FlowForecast.h"
-#include "TemporaryFolder.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "FlowResolution.h"
+#include "bridge/scene/FlowResolution.h"
 
 namespace restenosis {
 namespace {

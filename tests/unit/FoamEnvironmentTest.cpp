@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "EnvironmentVariable.h"
-#include "FoamEnvironment.h"
-#include "TemporaryFolder.h"
+#include "bridge/flow/foam/FoamEnvironment.h"
+#include "tests/support/EnvironmentVariable.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

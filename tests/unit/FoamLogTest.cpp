@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "FoamLog.h"
+#include "bridge/flow/foam/FoamLog.h"
 
 namespace restenosis::foamLog {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "FoamRequirements.h"
-#include "TemporaryFolder.h"
+#include "bridge/flow/foam/FoamRequirements.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "FoamStart.h"
-#include "PolyMeshFiles.h"
-#include "TubeMesh.h"
+#include "bridge/flow/foam/FoamStart.h"
+#include "tests/support/PolyMeshFiles.h"
+#include "tests/support/TubeMesh.h"
 
 namespace restenosis {
 namespace {

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "Constants.h"
-#include "ContactLaws.h"
-#include "ForceField.h"
-#include "HertzContact.h"
-#include "HertzNeoHookeanContact.h"
-#include "PairForces.h"
-#include "RandomStream.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/forces/ContactLaws.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/forces/HertzContact.h"
+#include "tissue/forces/HertzNeoHookeanContact.h"
+#include "tissue/forces/PairForces.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "FuzzTargets.h"
-#include "TemporaryFolder.h"
+#include "tests/fuzz/FuzzTargets.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "Constants.h"
-#include "HertzContact.h"
+#include "tests/support/Constants.h"
+#include "tissue/forces/HertzContact.h"
 
 namespace restenosis {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "Constants.h"
-#include "HertzContact.h"
-#include "HertzNeoHookeanContact.h"
+#include "tests/support/Constants.h"
+#include "tissue/forces/HertzContact.h"
+#include "tissue/forces/HertzNeoHookeanContact.h"
 
 namespace restenosis {
 namespace {

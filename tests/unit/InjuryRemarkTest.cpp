@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "InjuryRemark.h"
+#include "tissue/stent/InjuryRemark.h"
 
 namespace restenosis {
 namespace {

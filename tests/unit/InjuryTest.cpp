@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "Cylindrical.h"
-#include "Injury.h"
-#include "StateArchive.h"
-#include "WallBonds.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/stent/Injury.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/WallBonds.h"
 
 namespace restenosis {
 namespace {

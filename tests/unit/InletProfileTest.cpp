@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "AnnularTube.h"
-#include "Constants.h"
-#include "InletProfile.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/InletProfile.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "InnerBalls.h"
-#include "StrutSolids.h"
+#include "bridge/surface/InnerBalls.h"
+#include "tests/support/StrutSolids.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "InnerMotion.h"
-#include "TubeMesh.h"
+#include "bridge/flow/foam/InnerMotion.h"
+#include "tests/support/Constants.h"
+#include "tests/support/TubeMesh.h"
 
 namespace restenosis {
 namespace {

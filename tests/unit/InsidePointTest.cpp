@@ -3,13 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "AnnularTube.h"
-#include "Constants.h"
-#include "HookTube.h"
-#include "InsidePoint.h"
-#include "LumenCase.h"
-#include "NearestTriangle.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/InsidePoint.h"
+#include "bridge/flow/foam/LumenCase.h"
+#include "bridge/surface/NearestTriangle.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/Constants.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 
-#include "Constants.h"
-#include "LaminaStretch.h"
-#include "RandomStream.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/stent/LaminaStretch.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "Lanes.h"
+#include "tissue/agents/Lanes.h"
 
 namespace restenosis {
 namespace {

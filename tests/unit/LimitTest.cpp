@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "Limit.h"
+#include "tissue/parameters/Limit.h"
 
 namespace restenosis {
 namespace {

@@ -6,13 +6,13 @@
 #include <limits>
 #include <numbers>
 
-#include "Constants.h"
-#include "LoadedLumen.h"
-#include "LumenShape.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "LoadedStruts.h"
-#include "StlFile.h"
-#include "StrutSolids.h"
-#include "TemporaryFolder.h"
+#include "bridge/surface/LoadedStruts.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/StrutSolids.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -3,19 +3,19 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "AnnularTube.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "FoamLog.h"
-#include "FoamTemplate.h"
-#include "HookTube.h"
-#include "LumenCase.h"
-#include "LumenStl.h"
-#include "StlFile.h"
-#include "SurfaceEnds.h"
-#include "SweptTube.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/flow/foam/LumenCase.h"
+#include "bridge/flow/foam/LumenStl.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "LumenField.h"
-#include "RadialMap.h"
-#include "SphereWall.h"
+#include "bridge/surface/LumenField.h"
+#include "bridge/surface/RadialMap.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SphereWall.h"
 
 namespace restenosis {
 namespace {

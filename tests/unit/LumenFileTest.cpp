@@ -1,16 +1,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "AtomicFile.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "LumenFile.h"
-#include "LumenFrame.h"
-#include "LumenShape.h"
-#include "LumenWriter.h"
-#include "PvdSeries.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/compare/LumenFile.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/output/LumenWriter.h"
+#include "bridge/output/PvdSeries.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

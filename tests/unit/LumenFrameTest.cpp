@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "AnalyticBackend.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "LumenFrame.h"
-#include "LumenShape.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/analytic/AnalyticBackend.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "LumenGrid.h"
+#include "bridge/surface/LumenGrid.h"
 
 namespace restenosis {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "LumenLattice.h"
-#include "TubeSurface.h"
+#include "bridge/flow/lbm/LumenLattice.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "AnnularTube.h"
-#include "Constants.h"
-#include "LumenShape.h"
-#include "TubeSurface.h"
+#include "bridge/flow/LumenShape.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/Constants.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "Constants.h"
-#include "LumenSurface.h"
-#include "SphereWall.h"
-#include "SurfaceCheck.h"
+#include "bridge/surface/LumenSurface.h"
+#include "bridge/surface/SurfaceCheck.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SphereWall.h"
 
 namespace restenosis {
 namespace {

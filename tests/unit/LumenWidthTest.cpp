@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "AnnularTube.h"
-#include "LumenWidth.h"
-#include "SweptTube.h"
+#include "bridge/flow/LumenWidth.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/SweptTube.h"
 
 namespace restenosis {
 namespace {

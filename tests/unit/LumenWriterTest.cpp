@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "LumenWriter.h"
-#include "SyntheticResults.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/output/LumenWriter.h"
+#include "tests/support/SyntheticResults.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

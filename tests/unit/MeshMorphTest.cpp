@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "Constants.h"
-#include "MeshMorph.h"
-#include "TubeMesh.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/MeshMorph.h"
+#include "tests/support/Constants.h"
+#include "tests/support/TubeMesh.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

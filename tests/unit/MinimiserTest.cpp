@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "Minimiser.h"
+#include "tissue/equilibrium/Minimiser.h"
 
 namespace restenosis {
 namespace {
@@ -60,8 +60,8 @@ struct Spring {
   }
 };
 
-MechanicsParameters minimisedBy(std::string_view minimiser) {
-  MechanicsParameters p;
+RelaxationParameters minimisedBy(std::string_view minimiser) {
+  RelaxationParameters p;
   p.minimiser = minimiser;
   return p;
 }
@@ -77,7 +77,7 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
 }
 
 TEST(Minimiser, NearRestSetsOutFasterAndFindsTheBottomToo) {
-  const MechanicsParameters p = minimisedBy("fire");
+  const RelaxationParameters p = minimisedBy("fire");
   const auto firstMove = [](Minimiser& minimiser) {
     Spring spring;
     spring.position *= 1e-3;
@@ -112,7 +112,7 @@ TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
 TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
   // One agent on a spring among two hundred that a constant force drives. Nothing may excite it: it comes to
   // rest as it would alone.
-  MechanicsParameters p = minimisedBy("fire");
+  RelaxationParameters p = minimisedBy("fire");
   p.axialForceFactor = 1;
   for (const double eigenvalue : {0.5, 1.0, 1.5}) {
     std::vector<Mover> movers(200, {.velocity = {1e-4, 0, 0}, .force = {1e-6, 0, 0}, .radius = 1e3});

@@ -4,8 +4,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "MovableGrid.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/MovableGrid.h"
 
 namespace restenosis {
 namespace {

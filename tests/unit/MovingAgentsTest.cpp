@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "MovingAgents.h"
+#include "tissue/equilibrium/MovingAgents.h"
 
 namespace restenosis {
 namespace {

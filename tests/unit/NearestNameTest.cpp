@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "NearestName.h"
+#include "tissue/parameters/NearestName.h"
 
 namespace restenosis {
 namespace {

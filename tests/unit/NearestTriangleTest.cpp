@@ -3,7 +3,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "NearestTriangle.h"
+#include "bridge/surface/NearestTriangle.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "NeighbourList.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/NeighbourList.h"
 
 namespace restenosis {
 namespace {

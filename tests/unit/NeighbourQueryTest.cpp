@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "NeighbourQuery.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/NeighbourQuery.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "NitricOxide.h"
+#include "tissue/biology/NitricOxide.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "PackedPlace.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/PackedPlace.h"
 
 namespace restenosis {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "Constants.h"
-#include "PairRows.h"
-#include "RandomStream.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/forces/PairRows.h"
 
 namespace restenosis {
 namespace {

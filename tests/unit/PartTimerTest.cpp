@@ -3,8 +3,8 @@
 #include <thread>
 #include <vector>
 
-#include "PartTimer.h"
-#include "StateArchive.h"
+#include "bridge/output/PartTimer.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "AnnularTube.h"
-#include "PlaceInEnd.h"
+#include "bridge/flow/foam/PlaceInEnd.h"
+#include "tests/support/AnnularTube.h"
 
 namespace restenosis {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "PlainArray.h"
-#include "StateArchive.h"
+#include "tissue/agents/PlainArray.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

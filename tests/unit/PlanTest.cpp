@@ -4,16 +4,16 @@
 #include <numbers>
 #include <string>
 
-#include "LoadedWall.h"
-#include "Plan.h"
-#include "SceneChecks.h"
-#include "SceneStent.h"
-#include "SecondsPerDay.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
-#include "WallPacking.h"
+#include "bridge/coupling/Plan.h"
+#include "bridge/scene/LoadedWall.h"
+#include "bridge/scene/SceneChecks.h"
+#include "bridge/surface/SceneStent.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
+#include "tissue/parameters/SecondsPerDay.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <set>
 #include <vector>
 
-#include "PointGrid.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/PointGrid.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "PointTree.h"
-#include "RandomStream.h"
+#include "bridge/surface/PointTree.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "PoiseuilleError.h"
+#include "bridge/flow/PoiseuilleError.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
 
 namespace restenosis {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "Cylindrical.h"
-#include "PoissonScatter.h"
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/PoissonScatter.h"
 
 namespace restenosis {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "Constants.h"
-#include "PolyMeshFiles.h"
-#include "TubeMesh.h"
+#include "tests/support/Constants.h"
+#include "tests/support/PolyMeshFiles.h"
+#include "tests/support/TubeMesh.h"
 
 namespace restenosis {
 namespace {

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "PrintableOutput.h"
+#include "bridge/system/PrintableOutput.h"
 
 namespace restenosis {
 namespace {

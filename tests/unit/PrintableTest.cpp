@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "Printable.h"
-#include "Shown.h"
+#include "tissue/parameters/Printable.h"
+#include "tissue/parameters/Shown.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "LatticeSupport.h"
-#include "ProbeLines.h"
+#include "bridge/compare/ProbeLines.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/LatticeSupport.h"
 
 namespace restenosis {
 namespace {

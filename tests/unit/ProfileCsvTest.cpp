@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "ProfileCsv.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/ProfileCsv.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "Progress.h"
+#include "bridge/output/Progress.h"
 
 namespace restenosis {
 namespace {

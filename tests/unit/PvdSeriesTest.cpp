@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "PvdSeries.h"
-#include "ResultsFolder.h"
-#include "StateArchive.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/PvdSeries.h"
+#include "bridge/output/ResultsFolder.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "RadialMap.h"
-#include "StateArchive.h"
+#include "bridge/surface/RadialMap.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

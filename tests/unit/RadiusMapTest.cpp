@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "RadiusMap.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/RadiusMap.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

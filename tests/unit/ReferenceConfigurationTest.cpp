@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ReferenceConfiguration.h"
-#include "StateArchive.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/biology/ReferenceConfiguration.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "RegionalFaces.h"
+#include "bridge/flow/RegionalFaces.h"
 
 namespace restenosis {
 namespace {

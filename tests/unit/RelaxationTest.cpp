@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "Constants.h"
-#include "ForceField.h"
-#include "RandomStream.h"
-#include "Relaxation.h"
+#include "tests/support/Constants.h"
+#include "tests/support/Mechanics.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/ForceField.h"
 
 namespace restenosis {
 namespace {
@@ -51,17 +52,17 @@ double largestDifference(const AgentStore& a, const AgentStore& b) {
 }
 
 /// By agent, in units of C r0^2; 0 for fixed ones.
-std::vector<double> residuals(const MechanicsParameters& p, const Block& block) {
+std::vector<double> residuals(const Mechanics& p, const Block& block) {
   std::vector<double> found(block.agents.size());
-  const auto loads = ForceField(p).evaluate(block.agents, block.bonds);
+  const auto loads = ForceField(p.forces).evaluate(block.agents, block.bonds);
   for (Index i = 0; i < block.agents.size(); ++i) {
     if (!block.agents.has(i, AgentFlag::fixed))
-      found[i] = loads[i].force().norm() / (p.contactModulus * r * r);
+      found[i] = loads[i].force().norm() / (p.forces.contactModulus * r * r);
   }
   return found;
 }
 
-double largestResidual(const MechanicsParameters& p, const Block& block) {
+double largestResidual(const Mechanics& p, const Block& block) {
   return std::ranges::max(residuals(p, block));
 }
 
@@ -71,13 +72,13 @@ std::uint64_t countFree(const AgentStore& agents) {
 
 TEST(Relaxation, LeavesFixedAgentsThePressureOfTheirPlaceToo) {
   for (const auto* precision : {"double", "mixed"}) {
-    MechanicsParameters p;
-    p.precision = precision;
+    Mechanics p;
+    p.relaxation.precision = precision;
     Block block(7);
-    Relaxation relaxation(p, r);
+    Relaxation relaxation(p.forces, p.relaxation, r);
     const auto expectPressures = [&] {
       relaxation.relaxAgain(block.agents, block.bonds, {});
-      const auto loads = ForceField(p).evaluate(block.agents, block.bonds);
+      const auto loads = ForceField(p.forces).evaluate(block.agents, block.bonds);
       for (Index i = 0; i < block.agents.size(); ++i)
         ASSERT_EQ(block.agents.pressure[i], loads[i].pressure) << precision << " " << i;
     };
@@ -90,13 +91,13 @@ TEST(Relaxation, LeavesFixedAgentsThePressureOfTheirPlaceToo) {
 TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
   for (const auto* law : {"hertz", "hertzNeoHookean"}) {
     for (const auto* minimiser : {"fire", "overdamped"}) {
-      MechanicsParameters p;
-      p.contactLaw = law, p.minimiser = minimiser;
+      Mechanics p;
+      p.forces.contactLaw = law, p.relaxation.minimiser = minimiser;
       Block block(7);
-      const auto report = Relaxation(p, r).relax(block.agents, block.bonds, {});
+      const auto report = Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
       EXPECT_TRUE(report.converged);
       EXPECT_GT(report.iterations, 0);
-      EXPECT_LE(report.residual, p.tolerance);
+      EXPECT_LE(report.residual, p.relaxation.tolerance);
       EXPECT_NEAR(report.residual / largestResidual(p, block), 1, 1e-6) << law << ' ' << minimiser;
     }
   }
@@ -106,7 +107,7 @@ TEST(Relaxation, MovesNeitherFixedAgentsNorStruts) {
   Block block(5);
   block.agents.kind[30] = AgentKind::strut;
   const AgentStore before = block.agents;
-  Relaxation(MechanicsParameters{}, r).relax(block.agents, block.bonds, {});
+  Relaxation({}, {}, r).relax(block.agents, block.bonds, {});
   for (Index i = 0; i < before.size(); ++i) {
     const bool obstacle = before.has(i, AgentFlag::fixed) || i == 30;
     if (obstacle) {
@@ -120,9 +121,9 @@ TEST(Relaxation, GivesTheSameBitsForAnyNumberOfThreads) {
   const int threads = omp_get_max_threads();
   Block one(18), three(18);  // enough agents that the loops run in parallel
   omp_set_num_threads(1);
-  Relaxation(MechanicsParameters{}, r).relax(one.agents, one.bonds, {});
+  Relaxation({}, {}, r).relax(one.agents, one.bonds, {});
   omp_set_num_threads(3);
-  Relaxation(MechanicsParameters{}, r).relax(three.agents, three.bonds, {});
+  Relaxation({}, {}, r).relax(three.agents, three.bonds, {});
   omp_set_num_threads(threads);
   EXPECT_EQ(one.agents.x, three.agents.x);
   EXPECT_EQ(one.agents.y, three.agents.y);
@@ -133,17 +134,17 @@ TEST(Relaxation, GivesTheSameBitsForAnyNumberOfThreads) {
 TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
   // A run that is resumed begins with no neighbour list; its results must be those of the one that went on.
   for (const auto* precision : {"mixed", "double"}) {
-    MechanicsParameters p;
-    p.precision = precision;
+    Mechanics p;
+    p.relaxation.precision = precision;
     Block block(13);
-    Relaxation relaxation(p, r);
+    Relaxation relaxation(p.forces, p.relaxation, r);
     relaxation.relax(block.agents, block.bonds, {});
     for (int poke = 0; poke < 8; ++poke) {
       for (Index i = 300 + static_cast<Index>(poke); i < block.agents.size(); i += 400)
         block.agents.radius[i] *= 1.04;
       Block fresh = block;
       relaxation.relax(block.agents, block.bonds, {});
-      Relaxation(p, r).relax(fresh.agents, fresh.bonds, {});
+      Relaxation(p.forces, p.relaxation, r).relax(fresh.agents, fresh.bonds, {});
       EXPECT_EQ(largestDifference(block.agents, fresh.agents), 0) << precision << ", poke " << poke;
     }
   }
@@ -168,10 +169,10 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
   const Floor floor;
   const std::array<const Constraint*, 1> constraints{&floor};
   for (const auto* precision : {"mixed", "double"}) {
-    MechanicsParameters p;
-    p.precision = precision;
+    Mechanics p;
+    p.relaxation.precision = precision;
     Block block(11);
-    Relaxation relaxation(p, r);
+    Relaxation relaxation(p.forces, p.relaxation, r);
     relaxation.relaxAgain(block.agents, block.bonds, constraints);
     std::uint64_t again = 0, anew = 0;
     for (int step = 0; step < 12; ++step) {
@@ -194,7 +195,9 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
       }
       Block fresh = block;
       again += relaxation.relaxAgain(agents, block.bonds, constraints).agentEvaluations;
-      anew += Relaxation(p, r).relax(fresh.agents, fresh.bonds, constraints).agentEvaluations;
+      anew += Relaxation(p.forces, p.relaxation, r)
+                  .relax(fresh.agents, fresh.bonds, constraints)
+                  .agentEvaluations;
       ASSERT_EQ(largestDifference(agents, fresh.agents), 0) << precision << ", step " << step;
       ASSERT_EQ(agents.pressure, fresh.agents.pressure) << precision << ", step " << step;
     }
@@ -205,10 +208,10 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
 TEST(Relaxation, ARoomThatAConstraintTellsChangesNothing) {
   const Floor telling, silent(false);
   for (const auto* minimiser : {"fire", "overdamped"}) {
-    MechanicsParameters p;
-    p.minimiser = minimiser;
-    p.stopAtMaximum = true;
-    p.maximumIterations = 200;
+    Mechanics p;
+    p.relaxation.minimiser = minimiser;
+    p.relaxation.stopAtMaximum = true;
+    p.relaxation.maximumIterations = 200;
     Block told(11), asked = told;
     for (Block* block : {&told, &asked}) {
       for (Index i = 0; i < block->agents.size(); ++i) {
@@ -217,8 +220,10 @@ TEST(Relaxation, ARoomThatAConstraintTellsChangesNothing) {
                                   block->agents.position(i) - Vec3(0, 0, r));  // two layers below the floor
       }
     }
-    Relaxation(p, r).relax(told.agents, told.bonds, std::array<const Constraint*, 1>{&telling});
-    Relaxation(p, r).relax(asked.agents, asked.bonds, std::array<const Constraint*, 1>{&silent});
+    Relaxation(p.forces, p.relaxation, r)
+        .relax(told.agents, told.bonds, std::array<const Constraint*, 1>{&telling});
+    Relaxation(p.forces, p.relaxation, r)
+        .relax(asked.agents, asked.bonds, std::array<const Constraint*, 1>{&silent});
     EXPECT_EQ(largestDifference(told.agents, asked.agents), 0) << minimiser;
     EXPECT_EQ(std::ranges::min(told.agents.z), 0.5 * r) << "some lie on the floor";
   }
@@ -226,7 +231,7 @@ TEST(Relaxation, ARoomThatAConstraintTellsChangesNothing) {
 
 TEST(Relaxation, LeavesAQuietTissueAsItIs) {
   Block block(6);
-  Relaxation relaxation(MechanicsParameters{}, r);
+  Relaxation relaxation({}, {}, r);
   relaxation.relax(block.agents, block.bonds, {});
   const AgentStore before = block.agents;
   const auto report = relaxation.relax(block.agents, block.bonds, {});
@@ -235,15 +240,15 @@ TEST(Relaxation, LeavesAQuietTissueAsItIs) {
 }
 
 TEST(Relaxation, WorksWhereSomethingGrows) {
-  MechanicsParameters p;
-  p.tolerance = 0.01;
+  Mechanics p;
+  p.relaxation.tolerance = 0.01;
   Block block(12);
-  Relaxation relaxation(p, r);
+  Relaxation relaxation(p.forces, p.relaxation, r);
   relaxation.relax(block.agents, block.bonds, {});
   const Index grown = block.agents.size() / 2 + 3;
   block.agents.radius[grown] *= 1.02;
   const auto report = relaxation.relax(block.agents, block.bonds, {});
-  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
   // One evaluation of all to see who is restless; the rest near the grown cell only.
   const std::uint64_t everyoneOnce = countFree(block.agents);
   ASSERT_GT(report.iterations, 5);
@@ -252,7 +257,7 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
 
 /// One agent between two fixed ones, each overlapping it by `overlap` radii, and moved off the middle until
 /// the force on it is half of the tolerance.
-Block heldAgent(const MechanicsParameters& p, double overlap) {
+Block heldAgent(const Mechanics& p, double overlap) {
   Block row(0);
   for (int k = -1; k <= 1; ++k) {
     const Index i = row.agents.append(AgentKind::smc, Vec3(k * (2 - overlap) * r, 0, 0), r);
@@ -260,48 +265,48 @@ Block heldAgent(const MechanicsParameters& p, double overlap) {
   }
   row.agents.set(1, AgentFlag::daughter, true);
   row.bonds.resize(3);
-  while (largestResidual(p, row) < 0.5 * p.tolerance) row.agents.x[1] += 1e-5 * r;
+  while (largestResidual(p, row) < 0.5 * p.relaxation.tolerance) row.agents.x[1] += 1e-5 * r;
   return row;
 }
 
 TEST(Relaxation, BringsDaughtersThatContactsHoldSoftlyFartherToRest) {
-  MechanicsParameters p;
+  Mechanics p;
   for (const double overlap : {0.02, 0.5}) {
     Block row = heldAgent(p, overlap);
     const AgentStore before = row.agents;
     const double firmness =
-        ForceField(p).evaluate(row.agents, row.bonds)[1].firmness / (p.contactModulus * r);
-    p.firmStiffness = 0;
-    Relaxation(p, r).relax(row.agents, row.bonds, {});
+        ForceField(p.forces).evaluate(row.agents, row.bonds)[1].firmness / (p.forces.contactModulus * r);
+    p.relaxation.firmStiffness = 0;
+    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
     EXPECT_EQ(row.agents.x, before.x) << "within the tolerance";
-    p.firmStiffness = 0.9 * firmness;
-    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    p.relaxation.firmStiffness = 0.9 * firmness;
+    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
     EXPECT_EQ(row.agents.x, before.x) << "held firmly";
-    p.firmStiffness = 4 * firmness;
+    p.relaxation.firmStiffness = 4 * firmness;
     row.agents.set(1, AgentFlag::daughter, false);
-    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
     EXPECT_EQ(row.agents.x, before.x) << "no daughter";
     row.agents.set(1, AgentFlag::daughter, true);
-    Relaxation(p, r).relax(row.agents, row.bonds, {});
+    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
     EXPECT_NE(row.agents.x, before.x) << overlap;
-    EXPECT_LE(largestResidual(p, row), p.tolerance / 4) << overlap;
+    EXPECT_LE(largestResidual(p, row), p.relaxation.tolerance / 4) << overlap;
   }
 }
 
 TEST(Relaxation, BringsADaughterWithoutContactToRest) {
-  MechanicsParameters p;
-  p.firmStiffness = 100;
+  Mechanics p;
+  p.relaxation.firmStiffness = 100;
   Block block(8, false);
   block.agents.set(block.agents.size() / 2, AgentFlag::daughter, true);
   block.agents.radius[block.agents.size() / 2] *= 0.5;
-  EXPECT_TRUE(Relaxation(p, r).relax(block.agents, block.bonds, {}).converged);
-  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  EXPECT_TRUE(Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {}).converged);
+  EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
 }
 
 TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
-  MechanicsParameters p;
+  Mechanics p;
   Block block(16);
-  Relaxation relaxation(p, r);
+  Relaxation relaxation(p.forces, p.relaxation, r);
   relaxation.relax(block.agents, block.bonds, {});
   block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
   const AgentStore before = block.agents;
@@ -314,25 +319,25 @@ TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
   ASSERT_GT(left.size(), 20);
   ASSERT_LT(left.size(), before.size() / 4);
   std::ranges::nth_element(left, left.begin() + left.size() / 2);
-  EXPECT_LT(left[left.size() / 2], 0.1 * p.tolerance);
+  EXPECT_LT(left[left.size() / 2], 0.1 * p.relaxation.tolerance);
 }
 
 /// Agents with these flags, at rest, of whom one has grown then.
 Block disturbedBlock(std::uint8_t flags) {
   Block block(16, false);
   for (std::uint8_t& of : block.agents.flags) of |= flags;
-  MechanicsParameters p;
-  p.yieldIterations = 0;
-  Relaxation(p, r).relax(block.agents, block.bonds, {});
+  Mechanics p;
+  p.relaxation.yieldIterations = 0;
+  Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
   block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
   return block;
 }
 
 AgentStore relaxed(Block block, std::int64_t yieldIterations, bool sleeping = true) {
-  MechanicsParameters p;
-  p.yieldIterations = yieldIterations, p.sleeping = sleeping;
-  EXPECT_TRUE(Relaxation(p, r).relax(block.agents, block.bonds, {}).converged);
-  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  Mechanics p;
+  p.relaxation.yieldIterations = yieldIterations, p.relaxation.sleeping = sleeping;
+  EXPECT_TRUE(Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {}).converged);
+  EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
   return block.agents;
 }
 
@@ -383,18 +388,18 @@ TEST(Relaxation, YieldingDoesNotDependOnThreads) {
 }
 
 TEST(Relaxation, YieldsForLessThanHalfOfTheIterationsAllowed) {
-  MechanicsParameters p;
-  p.yieldIterations = 1000, p.maximumIterations = 12, p.stopAtMaximum = true;
+  Mechanics p;
+  p.relaxation.yieldIterations = 1000, p.relaxation.maximumIterations = 12, p.relaxation.stopAtMaximum = true;
   Block block = disturbedBlock(AgentFlag::daughter);
-  EXPECT_LE(Relaxation(p, r).relax(block.agents, block.bonds, {}).iterations, 12);
+  EXPECT_LE(Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {}).iterations, 12);
 }
 
 TEST(Relaxation, MovesEverybodyWithoutSleeping) {
-  MechanicsParameters p;
+  Mechanics p;
   Block block(12);
-  Relaxation(p, r).relax(block.agents, block.bonds, {});
-  p.sleeping = false;
-  Relaxation all(p, r);
+  Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
+  p.relaxation.sleeping = false;
+  Relaxation all(p.forces, p.relaxation, r);
   const AgentStore atRest = block.agents;
   EXPECT_EQ(all.relax(block.agents, block.bonds, {}).iterations, 0) << "nobody is above the tolerance";
   EXPECT_EQ(atRest.x, block.agents.x);
@@ -402,16 +407,16 @@ TEST(Relaxation, MovesEverybodyWithoutSleeping) {
   const auto report = all.relax(block.agents, block.bonds, {});
   ASSERT_GT(report.iterations, 5);
   EXPECT_GE(report.agentEvaluations, static_cast<std::uint64_t>(report.iterations) * countFree(block.agents));
-  EXPECT_LE(largestResidual(p, block), p.tolerance);
+  EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
 }
 
 TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
   // All of a long column is disturbed a little, one agent much.
-  MechanicsParameters p;
+  Mechanics p;
   Block column(10, true, 200);
   column.agents.radius[column.agents.size() / 2] *= 4;
-  const auto report = Relaxation(p, r).relax(column.agents, column.bonds, {});
-  EXPECT_LE(largestResidual(p, column), p.tolerance);
+  const auto report = Relaxation(p.forces, p.relaxation, r).relax(column.agents, column.bonds, {});
+  EXPECT_LE(largestResidual(p, column), p.relaxation.tolerance);
   const std::uint64_t everyone = countFree(column.agents);
   ASSERT_GT(report.iterations, 50);
   EXPECT_LT(report.agentEvaluations, 0.8 * report.iterations * everyone)
@@ -419,45 +424,45 @@ TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
 }
 
 TEST(Relaxation, NamesTheSettingsWhenItFails) {
-  MechanicsParameters p;
-  p.maximumIterations = 2;
+  Mechanics p;
+  p.relaxation.maximumIterations = 2;
   Block block(5);
   try {
-    Relaxation(p, r).relax(block.agents, block.bonds, {});
+    Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
     FAIL();
   } catch (const RelaxationFailed& e) {
-    EXPECT_NE(std::string(e.what()).find("mechanics.maximumIterations = 2"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("mechanics.tolerance"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("relaxation.maximumIterations = 2"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("relaxation.tolerance"), std::string::npos) << e.what();
   }
-  p.stepLimit = 1e-5;
+  p.relaxation.stepLimit = 1e-5;
   try {
-    Relaxation(p, r).relax(block.agents, block.bonds, {});
+    Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
     FAIL();
   } catch (const RelaxationFailed& e) {
-    EXPECT_NE(std::string(e.what()).find("mechanics.stepLimit = 1e-05 no agent moves by more than 2e-05"),
+    EXPECT_NE(std::string(e.what()).find("relaxation.stepLimit = 1e-05 no agent moves by more than 2e-05"),
               std::string::npos)
         << e.what();
   }
   // Only daughters come to rest at less than the tolerance
-  p.firmStiffness = 100;
+  p.relaxation.firmStiffness = 100;
   for (const bool daughters : {false, true}) {
     for (Index i = 0; i < block.agents.size(); ++i) block.agents.set(i, AgentFlag::daughter, daughters);
     try {
-      Relaxation(p, r).relax(block.agents, block.bonds, {});
+      Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
       FAIL();
     } catch (const RelaxationFailed& e) {
       const std::string text = e.what();
-      EXPECT_EQ(text.find("or a smaller mechanics.firmStiffness") != text.npos, daughters) << text;
+      EXPECT_EQ(text.find("or a smaller relaxation.firmStiffness") != text.npos, daughters) << text;
       EXPECT_EQ(text.find("of at most") != text.npos, daughters) << text;
       EXPECT_GT(e.force, 0);
       EXPECT_LE(e.force, e.report.residual);
     }
   }
-  p = MechanicsParameters();
-  p.maximumIterations = 2;
-  p.stopAtMaximum = true;
+  p = Mechanics();
+  p.relaxation.maximumIterations = 2;
+  p.relaxation.stopAtMaximum = true;
   Block again(5);
-  const auto report = Relaxation(p, r).relax(again.agents, again.bonds, {});
+  const auto report = Relaxation(p.forces, p.relaxation, r).relax(again.agents, again.bonds, {});
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_NEAR(report.residual / largestResidual(p, again), 1, 1e-6);
@@ -467,7 +472,7 @@ TEST(Relaxation, NamesTheAgentWithoutAPosition) {
   Block block(3);
   block.agents.y[5] = std::nan("");
   try {
-    Relaxation(MechanicsParameters{}, r).relax(block.agents, block.bonds, {});
+    Relaxation({}, {}, r).relax(block.agents, block.bonds, {});
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("agent 5"), std::string::npos) << e.what();
@@ -475,12 +480,12 @@ TEST(Relaxation, NamesTheAgentWithoutAPosition) {
 }
 
 TEST(Relaxation, RefusesUnknownNames) {
-  MechanicsParameters p;
-  p.minimiser = "steepest";
-  EXPECT_THROW(Relaxation(p, r), std::invalid_argument);
+  Mechanics p;
+  p.relaxation.minimiser = "steepest";
+  EXPECT_THROW(Relaxation(p.forces, p.relaxation, r), std::invalid_argument);
   p = {};
-  p.contactLaw = "linear";
-  EXPECT_THROW(Relaxation(p, r), std::invalid_argument);
+  p.forces.contactLaw = "linear";
+  EXPECT_THROW(Relaxation(p.forces, p.relaxation, r), std::invalid_argument);
 }
 
 }  // namespace

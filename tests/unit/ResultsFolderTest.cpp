@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "AtomicFile.h"
-#include "ResultsFolder.h"
-#include "TemporaryFolder.h"
+#include "bridge/output/ResultsFolder.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

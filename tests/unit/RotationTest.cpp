@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "Rotation.h"
+#include "bridge/surface/Rotation.h"
 
 namespace restenosis {
 namespace {

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "RandomStream.h"
-#include "RowPool.h"
-#include "StateArchive.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/agents/RowPool.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "SceneChecks.h"
-#include "SceneReader.h"
-#include "TinyScene.h"
+#include "bridge/scene/SceneChecks.h"
+#include "bridge/scene/SceneReader.h"
+#include "tests/support/TinyScene.h"
 
 namespace restenosis {
 namespace {

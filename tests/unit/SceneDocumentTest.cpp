@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "SceneDocument.h"
+#include "bridge/scene/SceneDocument.h"
 
 namespace restenosis {
 namespace {

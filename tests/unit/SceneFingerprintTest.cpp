@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "SceneFingerprint.h"
+#include "bridge/scene/SceneFingerprint.h"
 
 namespace restenosis {
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "SceneStent.h"
-#include "StlFile.h"
-#include "StrutSolids.h"
-#include "TemporaryFolder.h"
+#include "bridge/surface/SceneStent.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/StrutSolids.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

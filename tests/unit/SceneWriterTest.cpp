@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "SceneFingerprint.h"
-#include "SceneReader.h"
-#include "SceneWriter.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/SceneReader.h"
+#include "bridge/scene/SceneWriter.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "Schedule.h"
+#include "bridge/coupling/Schedule.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "Scene.h"
-#include "SchemaPrinter.h"
+#include "bridge/scene/Scene.h"
+#include "bridge/scene/SchemaPrinter.h"
 
 namespace restenosis {
 namespace {

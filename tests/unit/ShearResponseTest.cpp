@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "Constants.h"
-#include "ShearResponse.h"
+#include "bridge/sampling/ShearResponse.h"
+#include "tests/support/Constants.h"
 
 namespace restenosis {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Cylindrical.h"
-#include "LengthUnits.h"
-#include "SolidCover.h"
-#include "StrutAgents.h"
-#include "StrutSolids.h"
+#include "bridge/surface/SolidCover.h"
+#include "tests/support/StrutSolids.h"
+#include "tissue/parameters/LengthUnits.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

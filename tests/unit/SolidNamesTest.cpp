@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "SolidNames.h"
+#include "bridge/surface/SolidNames.h"
 
 namespace restenosis {
 namespace {

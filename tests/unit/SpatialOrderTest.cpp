@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "RandomStream.h"
-#include "SpatialOrder.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/SpatialOrder.h"
 
 namespace restenosis {
 namespace {

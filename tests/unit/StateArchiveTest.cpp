@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "StateArchive.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

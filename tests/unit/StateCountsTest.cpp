@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "StateCounts.h"
+#include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
 namespace {

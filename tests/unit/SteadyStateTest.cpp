@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "SteadyState.h"
+#include "bridge/flow/lbm/SteadyState.h"
 
 namespace restenosis {
 namespace {

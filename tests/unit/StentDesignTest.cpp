@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "Cylindrical.h"
-#include "PointGrid.h"
-#include "StentDesign.h"
-#include "StrutAgents.h"
+#include "tissue/neighbours/PointGrid.h"
+#include "tissue/stent/StentDesign.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

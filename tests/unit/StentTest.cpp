@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "Stent.h"
+#include "tissue/stent/Stent.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

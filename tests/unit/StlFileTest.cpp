@@ -3,10 +3,10 @@
 
 #include <fstream>
 
-#include "AtomicFile.h"
-#include "CylinderSurface.h"
-#include "StlFile.h"
-#include "SurfaceCheck.h"
+#include "bridge/surface/CylinderSurface.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/SurfaceCheck.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 namespace {

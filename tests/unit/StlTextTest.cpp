@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "StlText.h"
+#include "bridge/surface/StlText.h"
 
 namespace restenosis {
 namespace {

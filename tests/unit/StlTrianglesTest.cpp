@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "StlFile.h"
-#include "StlTriangles.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/StlTriangles.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -3,15 +3,15 @@
 #include <numbers>
 #include <vector>
 
-#include "AnalyticBackend.h"
-#include "Constants.h"
-#include "FlowSupport.h"
-#include "HookTube.h"
-#include "LumenFrame.h"
-#include "LumenShape.h"
-#include "StraightEnds.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/StraightEnds.h"
+#include "bridge/flow/analytic/AnalyticBackend.h"
+#include "tests/support/Constants.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "StressReaders.h"
+#include "bridge/coupling/StressReaders.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "StrutAgents.h"
-#include "StrutFit.h"
-#include "TemporaryFolder.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/stent/StrutFit.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

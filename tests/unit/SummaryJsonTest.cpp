@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "SummaryJson.h"
-#include "TemporaryFolder.h"
-#include "Version.h"
+#include "bridge/output/SummaryJson.h"
+#include "bridge/output/Version.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

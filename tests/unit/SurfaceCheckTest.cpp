@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "CylinderSurface.h"
-#include "SurfaceCheck.h"
+#include "bridge/surface/CylinderSurface.h"
+#include "bridge/surface/SurfaceCheck.h"
 
 namespace restenosis {
 namespace {

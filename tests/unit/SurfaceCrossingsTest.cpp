@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "StrutSolids.h"
-#include "SurfaceCrossings.h"
-#include "SweptTube.h"
-#include "TubeSurface.h"
+#include "bridge/surface/SurfaceCrossings.h"
+#include "tests/support/StrutSolids.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "SurfaceEnds.h"
-#include "TubeSurface.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

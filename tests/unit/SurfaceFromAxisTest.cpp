@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "SurfaceFromAxis.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/SurfaceFromAxis.h"
 
 namespace restenosis {
 namespace {

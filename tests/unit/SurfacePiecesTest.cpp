@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "StrutSolids.h"
-#include "SurfaceEnds.h"
-#include "SurfacePieces.h"
+#include "bridge/surface/SurfaceEnds.h"
+#include "bridge/surface/SurfacePieces.h"
+#include "tests/support/StrutSolids.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "SweptSetting.h"
+#include "bridge/scene/SweptSetting.h"
 
 namespace restenosis {
 namespace {
@@ -22,11 +22,12 @@ TEST(SweptSetting, NeedsAKeyAndTwoValues) {
 TEST(SweptSetting, FollowsFromWhatTheSceneModels) {
   Scene scene;
   EXPECT_TRUE(sweptSettings(scene).empty());
-  scene.mechanics.emplace().tolerance = 0.04;
+  scene.mechanics.emplace();
+  scene.relaxation.emplace().tolerance = 0.04;
   scene.scene.seed = 7;
   auto settings = sweptSettings(scene);
   ASSERT_EQ(settings.size(), 2u);
-  EXPECT_EQ(settings[0].key, "mechanics.tolerance");
+  EXPECT_EQ(settings[0].key, "relaxation.tolerance");
   EXPECT_EQ(settings[0].values, (Values{"0.01", "0.02", "0.04", "0.08", "0.16"}));
   EXPECT_EQ(settings[1].key, "scene.seed");
   EXPECT_EQ(settings[1].values, (Values{"7", "8", "9"}));

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "TemporaryFolder.h"
-#include "ThicknessMapCsv.h"
+#include "bridge/output/ThicknessMapCsv.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "AtomicFile.h"
-#include "FileSizeLimit.h"
-#include "StateArchive.h"
-#include "TemporaryFolder.h"
-#include "TimeSeries.h"
+#include "bridge/output/TimeSeries.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {

@@ -8,10 +8,10 @@
 
 #include <cmath>
 
-#include "AtomicFile.h"
-#include "FileSizeLimit.h"
-#include "TemporaryFolder.h"
-#include "TissueWriter.h"
+#include "bridge/output/TissueWriter.h"
+#include "bridge/system/AtomicFile.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "SceneDocument.h"
-#include "TomlDepth.h"
+#include "bridge/scene/SceneDocument.h"
+#include "bridge/scene/TomlDepth.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "TemporaryFolder.h"
-#include "TradeoffRows.h"
+#include "bridge/output/TradeoffRows.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

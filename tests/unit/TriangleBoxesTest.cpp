@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "StrutSolids.h"
-#include "TriangleBoxes.h"
+#include "bridge/surface/TriangleBoxes.h"
+#include "tests/support/StrutSolids.h"
 
 namespace restenosis {
 namespace {

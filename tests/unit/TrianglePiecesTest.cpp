@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "TrianglePieces.h"
+#include "bridge/flow/TrianglePieces.h"
 
 namespace restenosis {
 namespace {

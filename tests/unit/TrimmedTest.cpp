@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "Trimmed.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {

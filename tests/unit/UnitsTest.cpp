@@ -4,8 +4,8 @@
 #include <thread>
 #include <vector>
 
-#include "RandomStream.h"
-#include "Units.h"
+#include "bridge/scene/Units.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "Constants.h"
-#include "UnsureForces.h"
+#include "tests/support/Constants.h"
+#include "tissue/equilibrium/UnsureForces.h"
 
 namespace restenosis {
 namespace {

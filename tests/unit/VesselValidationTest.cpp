@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "VesselValidation.h"
+#include "tissue/stent/StentValidation.h"
 
 namespace restenosis {
 namespace {

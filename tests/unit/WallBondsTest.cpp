@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "Constants.h"
-#include "RandomStream.h"
-#include "WallBonds.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/vessel/WallBonds.h"
 
 namespace restenosis {
 namespace {

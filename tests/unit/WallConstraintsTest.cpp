@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "Constants.h"
-#include "Cylindrical.h"
-#include "EndPlanes.h"
-#include "LaminaSurfaces.h"
-#include "OuterConfinement.h"
-#include "RandomStream.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/EndPlanes.h"
+#include "tissue/vessel/LaminaSurfaces.h"
+#include "tissue/vessel/OuterConfinement.h"
 
 namespace restenosis {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "LatticeSupport.h"
-#include "TubeSurface.h"
-#include "WallDistances.h"
+#include "bridge/flow/lbm/WallDistances.h"
+#include "tests/support/LatticeSupport.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "WallFit.h"
+#include "bridge/flow/lbm/WallFit.h"
 
 namespace restenosis {
 namespace {

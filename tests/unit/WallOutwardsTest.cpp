@@ -5,10 +5,10 @@
 #include <random>
 #include <string>
 
-#include "Constants.h"
-#include "Cylindrical.h"
-#include "SurfaceFromAxis.h"
-#include "WallOutwards.h"
+#include "bridge/surface/WallOutwards.h"
+#include "tests/support/Constants.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/SurfaceFromAxis.h"
 
 namespace restenosis {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "NeighbourQuery.h"
-#include "StateArchive.h"
-#include "WallPacking.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/neighbours/NeighbourQuery.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -125,16 +125,15 @@ TEST(WallPacking, ALoadedWallIsBondedAndKeepsItsPlaces) {
 
 TEST(WallPacking, CanBeGivenUpAtAnyMoment) {
   const VesselParameters vessel = smallVessel();
-  const MechanicsParameters mechanics;
   struct GivenUp {};
   int calls = 0;
   const auto pack = [&](int until) {
     calls = 0;
-    return packWall(vessel, cylindricalShape(vessel), mechanics, 1, nullptr, [&] {
+    return packWall(vessel, cylindricalShape(vessel), {}, {}, 1, nullptr, [&] {
       if (++calls == until) throw GivenUp();
     });
   };
-  const std::string whole = digest(packWall(vessel, mechanics, 1).agents);
+  const std::string whole = digest(packWall(vessel, {}, {}, 1).agents);
   EXPECT_EQ(digest(pack(-1).agents), whole);
   const int all = calls;
   EXPECT_GT(all, 20);

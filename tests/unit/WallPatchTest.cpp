@@ -9,8 +9,8 @@
 
 #include <limits>
 
-#include "TemporaryFolder.h"
-#include "WallPatch.h"
+#include "bridge/flow/foam/WallPatch.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "LatticeSupport.h"
+#include "tests/support/LatticeSupport.h"
 
 namespace restenosis {
 namespace {

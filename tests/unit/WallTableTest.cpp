@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include "FourLayers.h"
-#include "TemporaryFolder.h"
-#include "WallTable.h"
+#include "tests/support/FourLayers.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tissue/vessel/WallTable.h"
 
 namespace restenosis {
 namespace {
@@ -19,14 +20,13 @@ class WallTable : public testing::Test {
     vessel.lumenDiameter = 0.5e-3;
     vessel.wallThickness = 0.12e-3;
     vessel.agents = (folder.path() / "w.csv").string();
-    stent.deploymentDepth = 60e-6;
   }
   static std::string wall(double scale = 1, double shift = 0) { return fourLayers(scale, shift); }
   /// What is said of a table after the name of its file, or "accepted".
-  std::string finding(const std::string& text, const StentParameters* with = nullptr) const {
+  std::string finding(const std::string& text, std::optional<double> deploymentDepth = {}) const {
     writeText(vessel.agents, text);
     try {
-      readWallTable(vessel, with);
+      readWallTable(vessel, deploymentDepth);
       return "accepted";
     } catch (const AgentTableError& error) {
       const std::string message = error.what();
@@ -38,15 +38,15 @@ class WallTable : public testing::Test {
 
   TemporaryFolder folder;
   VesselParameters vessel;
-  StentParameters stent;
+  static constexpr double depth = 60e-6;
 };
 
 #define EXPECT_FINDING(text, beginning) EXPECT_TRUE((text).starts_with(beginning)) << (text)
 
 TEST_F(WallTable, AWallThatFitsIsTaken) {
   EXPECT_EQ(finding(wall()), "accepted");
-  EXPECT_EQ(finding(wall(), &stent), "accepted");
-  EXPECT_EQ(readWallTable(vessel, &stent).size(), lines(wall()) - 1);
+  EXPECT_EQ(finding(wall(), depth), "accepted");
+  EXPECT_EQ(readWallTable(vessel, depth).size(), lines(wall()) - 1);
 }
 
 TEST_F(WallTable, DeformedWallsAndStrutsWithoutAStentAreTaken) {
@@ -83,7 +83,7 @@ TEST_F(WallTable, CellsAndIelOutsideTheEelAreNamed) {
 
 TEST_F(WallTable, AFewCellsAreATissueToo) {
   EXPECT_EQ(finding("x,y,z,radius\n300,0,100,15\n"), "accepted");
-  EXPECT_FINDING(finding("x,y,z,radius\n300,0,100,15\n", &stent), ": no agent stands between 45 and 90 deg");
+  EXPECT_FINDING(finding("x,y,z,radius\n300,0,100,15\n", depth), ": no agent stands between 45 and 90 deg");
 }
 
 TEST_F(WallTable, StrutsAloneAreNoWall) {
@@ -151,7 +151,7 @@ TEST_F(WallTable, AWallTooSmallForTheVesselIsRefused) {
 
 TEST_F(WallTable, AWallThatIsHeldAtOneEndOnlyIsRemarkedOn) {
   writeText(vessel.agents, wall());
-  const AgentStore agents = readWallTable(vessel, nullptr);
+  const AgentStore agents = readWallTable(vessel, {});
   EXPECT_EQ(remarkOnOpenEnds(vessel, agents), "");
   vessel.length = 0.25e-3;
   EXPECT_NE(remarkOnOpenEnds(vessel, agents).find("stands between z = 5 and 194 um of a vessel of 250 um"),
@@ -168,13 +168,13 @@ TEST_F(WallTable, AWallThatIsHeldAtOneEndOnlyIsRemarkedOn) {
 TEST_F(WallTable, AStentOutsideOfTheWallIsRefused) {
   vessel.lumenDiameter = 0.9e-3;
   EXPECT_EQ(finding(wall()), "accepted");
-  EXPECT_FINDING(finding(wall(), &stent),
+  EXPECT_FINDING(finding(wall(), depth),
                  ": between 0 and 45 degrees about the axis (x = y = 0) the wall "
                  "reaches 370 um, but the stent 510 um");
 }
 
 TEST_F(WallTable, StrutsBesideAStentAreRefused) {
-  EXPECT_FINDING(finding(wall() + "240,0,100,7.5,strut\n", &stent),
+  EXPECT_FINDING(finding(wall() + "240,0,100,7.5,strut\n", depth),
                  fmt::format(":{}: a strut in the wall of a scene with [stent]", lines(wall()) + 1));
 }
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "RandomStream.h"
-#include "WssSampling.h"
+#include "bridge/sampling/WssSampling.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 namespace {

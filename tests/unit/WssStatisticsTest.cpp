@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "WssStatistics.h"
+#include "bridge/sampling/WssStatistics.h"
 
 namespace restenosis {
 namespace {

@@ -1,17 +1,17 @@
 // Lumens from files, as a user brings them: no axis along z, no names, ends to be found.
 #include <gtest/gtest.h>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "HookTube.h"
-#include "LoadedLumen.h"
-#include "LumenFrame.h"
-#include "OpenFoamPresent.h"
-#include "StlFile.h"
-#include "SweptTube.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
-#include "VesselFlowChecks.h"
+#include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/StlFile.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/HookTube.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/SweptTube.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/VesselFlowChecks.h"
 
 namespace restenosis {
 namespace {

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <tuple>
 
-#include "Biology.h"
-#include "Constants.h"
-#include "RandomPacking.h"
-#include "StateArchive.h"
+#include "tests/support/Constants.h"
+#include "tests/support/RandomPacking.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/biology/Biology.h"
 
 namespace restenosis {
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 
-#include "CellCycle.h"
-#include "Constants.h"
-#include "Division.h"
+#include "tests/support/Constants.h"
+#include "tissue/biology/CellCycle.h"
+#include "tissue/biology/Division.h"
 
 namespace restenosis {
 namespace {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "Cylindrical.h"
-#include "Deployment.h"
-#include "SmallDeployment.h"
-#include "StateArchive.h"
-#include "StrutAgents.h"
-#include "WallBonds.h"
-#include "WallPacking.h"
+#include "tests/support/SmallDeployment.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/stent/Deployment.h"
+#include "tissue/stent/StrutAgents.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/WallBonds.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Setting = support::SmallDeployment;
 
 Wall packedWall() {
-  static const Wall wall = packWall(Setting().vessel, Setting().mechanics, 1);
+  static const Wall wall = packWall(Setting().vessel, Setting().mechanics, Setting().relaxation, 1);
   return wall;
 }
 
@@ -31,13 +31,13 @@ TEST_P(Deployed, KeepsTheWallTogether) {
   s.stent.outerLamina = GetParam();
   Wall wall = packedWall();
   const Index wallAgents = wall.agents.size();
-  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
   int reports = 0;
   deployment.run([&](const Deployment&, const RelaxationReport& report) {
     EXPECT_TRUE(report.converged);
     ++reports;
     const double share = deployment.done() ? Deployment::settledShare : Deployment::stepShare;
-    EXPECT_LE(report.residual, share * s.mechanics.tolerance);
+    EXPECT_LE(report.residual, share * s.relaxation.tolerance);
   });
   EXPECT_EQ(reports, 20);
 
@@ -73,22 +73,22 @@ TEST(DeploymentTest, GoesOnWhereTheIterationsLeadToTheToleranceOnly) {
   const auto last = [&] {
     Wall wall = packedWall();
     RelaxationReport report;
-    Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics)
+    Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation)
         .run([&](const Deployment&, const RelaxationReport& step) { report = step; });
     return report;
   };
-  EXPECT_LE(last().residual, Deployment::settledShare * s.mechanics.tolerance);
-  s.mechanics.maximumIterations = 60;
+  EXPECT_LE(last().residual, Deployment::settledShare * s.relaxation.tolerance);
+  s.relaxation.maximumIterations = 60;
   const RelaxationReport report = last();
   EXPECT_TRUE(report.converged);
-  EXPECT_LE(report.residual, s.mechanics.tolerance);
-  EXPECT_GT(report.residual, Deployment::settledShare * s.mechanics.tolerance);
-  s.mechanics.maximumIterations = 10;
+  EXPECT_LE(report.residual, s.relaxation.tolerance);
+  EXPECT_GT(report.residual, Deployment::settledShare * s.relaxation.tolerance);
+  s.relaxation.maximumIterations = 10;
   try {
     last();
     FAIL();
   } catch (const RelaxationFailed& failure) {
-    EXPECT_NE(std::string(failure.what()).find("mechanics.tolerance = 0.1"), std::string::npos)
+    EXPECT_NE(std::string(failure.what()).find("relaxation.tolerance = 0.1"), std::string::npos)
         << failure.what();
   }
 }
@@ -99,7 +99,7 @@ TEST(DeploymentTest, EelFixedDoesNotMove) {
   s.stent.deploymentSteps = 20;
   Wall wall = packedWall();
   const Wall before = wall;
-  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+  Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
   for (int k = 0; k < 3; ++k) deployment.step();
   for (Index i = 0; i < before.agents.size(); ++i) {
     if (before.agents.kind[i] == AgentKind::eel || before.agents.has(i, fixed)) {
@@ -111,12 +111,13 @@ TEST(DeploymentTest, EelFixedDoesNotMove) {
 TEST(DeploymentTest, ResumesBitForBit) {
   const Setting s;
   Wall whole = packedWall();
-  Deployment uninterrupted(whole, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+  Deployment uninterrupted(whole, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics,
+                           s.relaxation);
   for (int k = 0; k < 4; ++k) uninterrupted.step();
 
   Wall halted = packedWall();
   {
-    Deployment first(halted, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+    Deployment first(halted, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
     for (int k = 0; k < 2; ++k) first.step();
   }
   WritingArchive written;
@@ -124,7 +125,8 @@ TEST(DeploymentTest, ResumesBitForBit) {
   ReadingArchive reading(written.buffer());
   Wall resumed;
   reading(resumed);
-  Deployment second(resumed, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, 2);
+  Deployment second(resumed, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation,
+                    2);
   for (int k = 0; k < 2; ++k) second.step();
   EXPECT_EQ(digest(resumed), digest(whole));
 }
@@ -132,10 +134,11 @@ TEST(DeploymentTest, ResumesBitForBit) {
 TEST(DeploymentTest, StrutsOfAnotherStentAreRefused) {
   Setting s;
   Wall wall = packedWall();
-  Deployment first(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+  Deployment first(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
   s.stent.strutWidth = 0.05e-3;
-  EXPECT_THROW(Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics),
-               std::invalid_argument);
+  EXPECT_THROW(
+      Deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation),
+      std::invalid_argument);
 }
 
 /// Without bonds the wall is a liquid: the IEL gives way to the strut sideways and bulges into the lumen.
@@ -145,7 +148,8 @@ TEST(DeploymentTest, BondsHoldTheIelUnderTheStrut) {
   const auto ielUnderStrut = [&](bool bonded) {
     Wall wall = packedWall();
     if (!bonded) bondWall(wall, 0);
-    Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics);
+    Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics,
+                          s.relaxation);
     deployment.run();
     int under = 0;
     for (Index i = 0; i < wall.agents.size(); ++i) {

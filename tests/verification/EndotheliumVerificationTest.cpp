@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Division.h"
-#include "Endothelium.h"
-#include "RandomStream.h"
-#include "StateCounts.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/biology/Division.h"
+#include "tissue/biology/Endothelium.h"
+#include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
 namespace {

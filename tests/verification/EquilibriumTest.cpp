@@ -5,30 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Constants.h"
-#include "ContactLaws.h"
-#include "ForceField.h"
-#include "HertzContact.h"
-#include "HertzNeoHookeanContact.h"
-#include "Minimiser.h"
-#include "RandomStream.h"
-#include "Relaxation.h"
+#include "tests/support/Constants.h"
+#include "tests/support/Mechanics.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/equilibrium/Minimiser.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/ContactLaws.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/forces/HertzContact.h"
+#include "tissue/forces/HertzNeoHookeanContact.h"
 
 namespace restenosis {
 namespace {
 
 using namespace support;
 
-MechanicsParameters with(std::string_view law, std::string_view minimiser, double tolerance) {
-  MechanicsParameters p;
-  p.contactLaw = law, p.minimiser = minimiser, p.tolerance = tolerance;
-  p.maximumIterations = 200000;
+Mechanics with(std::string_view law, std::string_view minimiser, double tolerance) {
+  Mechanics p;
+  p.forces.contactLaw = law, p.relaxation.minimiser = minimiser, p.relaxation.tolerance = tolerance;
+  p.relaxation.maximumIterations = 200000;
   return p;
 }
 
-double lawForce(std::string_view law, const MechanicsParameters& p, double overlap) {
-  return law == HertzContact::name ? forceOf(HertzContact(p.contactModulus), overlap, r / 2)
-                                   : forceOf(HertzNeoHookeanContact(p.contactModulus), overlap, r / 2);
+double lawForce(std::string_view law, const Mechanics& p, double overlap) {
+  return law == HertzContact::name ? forceOf(HertzContact(p.forces.contactModulus), overlap, r / 2)
+                                   : forceOf(HertzNeoHookeanContact(p.forces.contactModulus), overlap, r / 2);
 }
 
 /// The root of a falling function.
@@ -50,10 +51,10 @@ TEST(Equilibrium, TwoBondedSpheresRestWhereContactBalancesTheBond) {
       bonds.resize(2);
       const auto rest = static_cast<double>(static_cast<float>(1.6 * r));
       bonds.connect(0, 1, rest);
-      Relaxation(p, r).relax(agents, bonds, {});
+      Relaxation(p.forces, p.relaxation, r).relax(agents, bonds, {});
       const double expected = bisect(
           [&](double x) {
-            return lawForce(law, p, 2 * r - x) - p.bondModulus * (x - rest) / rest * 4 * r * r;
+            return lawForce(law, p, 2 * r - x) - p.forces.bondModulus * (x - rest) / rest * 4 * r * r;
           },
           1.6 * r, 2 * r);
       const Vec3 apart = agents.position(1) - agents.position(0);
@@ -72,12 +73,12 @@ TEST(Equilibrium, SpheresPushedTogetherSeparateToTouchingAndAreNotFlungApart) {
     for (const double side : {-1.0, 1.0}) agents.append(AgentKind::smc, {0, side * 0.4 * r, 0}, r);
     BondTable bonds;
     bonds.resize(2);
-    Relaxation(p, r).relax(agents, bonds, {});
+    Relaxation(p.forces, p.relaxation, r).relax(agents, bonds, {});
     const double distance = (agents.position(1) - agents.position(0)).norm();
     // The force 8 C sqrt(R) d^1.5 is at the tolerance for d = 3.2e-5 r. FIRE may take one last step of each
     // beyond touching.
     EXPECT_GT(distance, (2 - 4e-5) * r) << minimiser;
-    EXPECT_LT(distance, (2 + 2 * p.stepLimit) * r) << minimiser;
+    EXPECT_LT(distance, (2 + 2 * p.relaxation.stepLimit) * r) << minimiser;
   }
 }
 
@@ -97,10 +98,10 @@ TEST(Equilibrium, ACompressedChainSharesItsOverlapAndPushesAsTheLawSays) {
       }
       BondTable bonds;
       bonds.resize(agents.size());
-      Relaxation(p, r).relax(agents, bonds, {});
+      Relaxation(p.forces, p.relaxation, r).relax(agents, bonds, {});
       for (int k = 0; k < spheres; ++k)
         EXPECT_NEAR(agents.x[k], k * spacing, 1e-5 * r) << law << ' ' << minimiser;
-      const double force = -ForceField(p).evaluate(agents, bonds)[0].fx;
+      const double force = -ForceField(p.forces).evaluate(agents, bonds)[0].fx;
       EXPECT_NEAR(force / lawForce(law, p, 0.3 * r), 1, 1e-5);
     }
   }
@@ -120,10 +121,10 @@ TEST(Equilibrium, AStretchedBondedChainHasTheModulusOfItsBonds) {
   BondTable bonds;
   bonds.resize(agents.size());
   for (int k = 1; k < spheres; ++k) bonds.connect(k - 1, k, rest);
-  Relaxation(p, r).relax(agents, bonds, {});
+  Relaxation(p.forces, p.relaxation, r).relax(agents, bonds, {});
   for (int k = 1; k < spheres; ++k) EXPECT_NEAR((agents.z[k] - agents.z[k - 1]) / rest, 1 + strain, 1e-5);
-  const double force = ForceField(p).evaluate(agents, bonds)[0].fz;
-  EXPECT_NEAR(force / (p.bondModulus * strain * 4 * r * r), 1, 1e-5);
+  const double force = ForceField(p.forces).evaluate(agents, bonds)[0].fz;
+  EXPECT_NEAR(force / (p.forces.bondModulus * strain * 4 * r * r), 1, 1e-5);
 }
 
 /// A bonded block of agents on a disturbed face-centred lattice between two fixed layers.
@@ -165,9 +166,9 @@ TEST(Equilibrium, IsTheSameByBothMinimisersAndAnyAxialFactor) {
     for (const auto minimiser : minimiserNames()) {
       for (const double axialFactor : {1.0, 2.0}) {
         auto p = with(law, minimiser, 1e-5);
-        p.axialForceFactor = axialFactor;
+        p.relaxation.axialForceFactor = axialFactor;
         Block block(10);
-        Relaxation(p, r).relax(block.agents, block.bonds, {});
+        Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
         if (reference.size() == 0) reference = block.agents;
         EXPECT_LT(largestDifference(reference, block.agents), 1e-3 * r)
             << law << ' ' << minimiser << ' ' << axialFactor;
@@ -180,7 +181,7 @@ TEST(Equilibrium, OfAGrowingCellIsTheSameWithSleepersAndWithout) {
   // At the tolerance of a run only the surroundings of the grown cell wake; at a thousandth of it the whole
   // block does.
   Block block(16);
-  Relaxation exact(with("hertzNeoHookean", "fire", 1e-5), r);
+  Relaxation exact({}, with("hertzNeoHookean", "fire", 1e-5).relaxation, r);
   exact.relax(block.agents, block.bonds, {});
   const Index grown = block.agents.size() / 2 + 4;
   ASSERT_FALSE(block.agents.has(grown, AgentFlag::fixed));
@@ -188,7 +189,7 @@ TEST(Equilibrium, OfAGrowingCellIsTheSameWithSleepersAndWithout) {
 
   Block lazy = block;
   const auto lazyReport =
-      Relaxation(with("hertzNeoHookean", "fire", 0.01), r).relax(lazy.agents, lazy.bonds, {});
+      Relaxation({}, with("hertzNeoHookean", "fire", 0.01).relaxation, r).relax(lazy.agents, lazy.bonds, {});
   const AgentStore before = block.agents;
   const auto exactReport = exact.relax(block.agents, block.bonds, {});
 
@@ -205,8 +206,8 @@ TEST(Equilibrium, OfAPulledWallTakesSleepersNotManyTimesTheIterationsOfAllAwake)
   const auto pulled = [](bool sleeping) {
     Block block(16);
     auto p = with("hertzNeoHookean", "fire", 0.04);
-    p.sleeping = sleeping;
-    Relaxation relaxation(p, r);
+    p.relaxation.sleeping = sleeping;
+    Relaxation relaxation(p.forces, p.relaxation, r);
     RelaxationReport all = relaxation.relax(block.agents, block.bonds, {});
     const double end = *std::ranges::max_element(block.agents.z);
     for (int step = 0; step < 20; ++step) {

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "AnnularTube.h"
-#include "EllipticDuct.h"
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
-#include "VesselFlowChecks.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "tests/support/AnnularTube.h"
+#include "tests/support/EllipticDuct.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/VesselFlowChecks.h"
 
 namespace restenosis {
 namespace {

@@ -3,12 +3,12 @@
 #include <limits>
 #include <set>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "FoamLog.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
-#include "VesselFlowChecks.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/VesselFlowChecks.h"
 
 namespace restenosis {
 namespace {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "FlowSupport.h"
-#include "LatticeSupport.h"
-#include "LbmBackend.h"
-#include "LbmCases.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
-#include "VesselFlowChecks.h"
+#include "bridge/flow/lbm/LbmBackend.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/LatticeSupport.h"
+#include "tests/support/LbmCases.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
+#include "tests/support/VesselFlowChecks.h"
 
 namespace restenosis {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "Constants.h"
-#include "LumenSurface.h"
-#include "RadialMap.h"
-#include "SphereWall.h"
-#include "StentDesign.h"
-#include "SurfaceCheck.h"
-#include "WallPacking.h"
+#include "bridge/surface/LumenSurface.h"
+#include "bridge/surface/RadialMap.h"
+#include "bridge/surface/SurfaceCheck.h"
+#include "tests/support/Constants.h"
+#include "tests/support/SphereWall.h"
+#include "tissue/stent/StentDesign.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {

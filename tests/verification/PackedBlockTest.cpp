@@ -7,16 +7,16 @@
 #include <cmath>
 #include <iostream>
 
-#include "CellGrid.h"
-#include "Constants.h"
-#include "Constraint.h"
-#include "ContactLaws.h"
-#include "ForceField.h"
-#include "HertzContact.h"
-#include "HertzNeoHookeanContact.h"
-#include "NeighbourQuery.h"
-#include "RandomStream.h"
-#include "Relaxation.h"
+#include "tests/support/Constants.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/equilibrium/Constraint.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/ContactLaws.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/forces/HertzContact.h"
+#include "tissue/forces/HertzNeoHookeanContact.h"
+#include "tissue/neighbours/CellGrid.h"
+#include "tissue/neighbours/NeighbourQuery.h"
 
 namespace restenosis {
 namespace {
@@ -25,7 +25,7 @@ using namespace support;
 
 struct PackedBlock : testing::TestWithParam<std::string_view> {
   PackedBlock() {
-    parameters.contactLaw = GetParam(), parameters.tolerance = 1e-7, parameters.maximumIterations = 200000;
+    parameters.contactLaw = GetParam(), settings.tolerance = 1e-7, settings.maximumIterations = 200000;
   }
 
   /// Force [N] and its slope [N/m] between two cells whose centres are `distance` apart.
@@ -43,11 +43,12 @@ struct PackedBlock : testing::TestWithParam<std::string_view> {
 
   void relax(AgentStore& agents, std::span<const Constraint* const> within = {}) {
     bonds.resize(agents.size());
-    Relaxation(parameters, r).relax(agents, bonds, within);
+    Relaxation(parameters, settings, r).relax(agents, bonds, within);
     ForceField(parameters).setPressures(agents, bonds);
   }
 
   MechanicsParameters parameters;
+  RelaxationParameters settings;
   BondTable bonds;
 };
 
@@ -194,7 +195,7 @@ double shareOfAffine(PackedBlock& block, double share) {
 /// Held at its sides, it has less energy than moved alike everywhere, and so a modulus below that of eq. 12;
 /// the denser it is, the less room its cells have to give way.
 TEST_P(PackedBlock, AnIrregularOneIsALittleSofterThanAffineCompression) {
-  parameters.tolerance = 1e-6;
+  settings.tolerance = 1e-6;
   const double loose = shareOfAffine(*this, 0.72), dense = shareOfAffine(*this, 0.9);
   std::cout << GetParam() << ": " << loose << " and " << dense << " of affine compression\n";
   EXPECT_GT(loose, 0.8);

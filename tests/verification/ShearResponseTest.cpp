@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "ShearResponse.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/sampling/ShearResponse.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

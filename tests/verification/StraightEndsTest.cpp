@@ -1,12 +1,12 @@
 // The ends' conditions hold upstream and downstream of a lumen with straight ends, not in it.
 #include <gtest/gtest.h>
 
-#include "FlowSupport.h"
-#include "FoamBackend.h"
-#include "OpenFoamPresent.h"
-#include "StraightEnds.h"
-#include "TemporaryFolder.h"
-#include "TubeSurface.h"
+#include "bridge/flow/StraightEnds.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "tests/support/FlowSupport.h"
+#include "tests/support/OpenFoamPresent.h"
+#include "tests/support/TemporaryFolder.h"
+#include "tests/support/TubeSurface.h"
 
 namespace restenosis {
 namespace {

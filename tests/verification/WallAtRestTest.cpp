@@ -4,13 +4,13 @@
 #include <array>
 #include <complex>
 
-#include "Cylindrical.h"
-#include "EndPlanes.h"
-#include "NeighbourQuery.h"
-#include "OuterConfinement.h"
-#include "RadiusMap.h"
-#include "StateArchive.h"
-#include "WallPacking.h"
+#include "tissue/agents/StateArchive.h"
+#include "tissue/neighbours/NeighbourQuery.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/EndPlanes.h"
+#include "tissue/vessel/OuterConfinement.h"
+#include "tissue/vessel/RadiusMap.h"
+#include "tissue/vessel/WallPacking.h"
 
 namespace restenosis {
 namespace {
@@ -23,7 +23,7 @@ VesselParameters vessel() {
 }
 
 struct Packed {
-  Packed() { wall = packWall(vessel(), MechanicsParameters(), 1, &report); }
+  Packed() { wall = packWall(vessel(), {}, {}, 1, &report); }
   Wall wall;
   PackingReport report;
 };
@@ -42,12 +42,12 @@ TEST(WallAtRest, LaminaeStayOnTheirCylindersWhenReleased) {
 
 TEST(WallAtRest, ATighterRelaxationMovesNothingFar) {
   Wall wall = packed().wall;
-  MechanicsParameters tight;
+  RelaxationParameters tight;
   tight.tolerance = 0.004;
   const OuterConfinement outside(wall.agents, wall.cellRadius);
   const EndPlanes ends(wall.length);
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};
-  Relaxation(tight, wall.cellRadius).relax(wall.agents, wall.bonds, constraints);
+  Relaxation({}, tight, wall.cellRadius).relax(wall.agents, wall.bonds, constraints);
   double squares = 0, drift = 0;
   Index iel = 0;
   for (Index i = 0; i < wall.agents.size(); ++i) {
@@ -127,7 +127,7 @@ TEST(WallAtRest, IsTheSameForAnyNumberOfThreads) {
   small.length = 0.1e-3, small.lumenDiameter = 0.3e-3;
   const auto digestWith = [&](int threads) {
     omp_set_num_threads(threads);
-    Wall wall = packWall(small, MechanicsParameters(), 1);
+    Wall wall = packWall(small, {}, {}, 1);
     HashingArchive archive;
     archive(wall);
     return archive.digest();
@@ -142,7 +142,7 @@ TEST(WallAtRest, SpreadRadiiPackAsWell) {
   VesselParameters spread = vessel();
   spread.radiusSpread = 0.1;
   PackingReport report;
-  packWall(spread, MechanicsParameters(), 1, &report);
+  packWall(spread, {}, {}, 1, &report);
   EXPECT_TRUE(report.released.converged);
   EXPECT_LT(std::abs(report.ielDrift), 0.1e-6);
   EXPECT_EQ(report.expelled, 0u);

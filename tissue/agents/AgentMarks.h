@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "AgentStore.h"
-#include "Chunks.h"
-#include "Room.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 

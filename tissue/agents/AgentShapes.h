@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

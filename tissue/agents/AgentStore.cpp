@@ -1,10 +1,10 @@
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 #include <cassert>
 #include <type_traits>
 #include <utility>
 
-#include "Room.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "BondCandidates.h"
+#include "tissue/agents/BondCandidates.h"
 
 #include <algorithm>
 #include <cstdint>

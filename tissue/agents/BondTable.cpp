@@ -1,4 +1,4 @@
-#include "BondTable.h"
+#include "tissue/agents/BondTable.h"
 
 #include <algorithm>
 #include <cassert>

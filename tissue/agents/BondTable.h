@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "AgentStore.h"
-#include "RowPool.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/RowPool.h"
 
 namespace restenosis {
 

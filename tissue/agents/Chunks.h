@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

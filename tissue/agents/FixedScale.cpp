@@ -1,4 +1,4 @@
-#include "FixedScale.h"
+#include "tissue/agents/FixedScale.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "PlainArray.h"
-#include "ReadAhead.h"
-#include "Room.h"
+#include "tissue/agents/PlainArray.h"
+#include "tissue/agents/ReadAhead.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 

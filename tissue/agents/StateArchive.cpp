@@ -1,4 +1,4 @@
-#include "StateArchive.h"
+#include "tissue/agents/StateArchive.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>

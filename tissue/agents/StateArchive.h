@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "PlainArray.h"
+#include "tissue/agents/PlainArray.h"
 
 namespace restenosis {
 

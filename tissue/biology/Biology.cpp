@@ -1,4 +1,4 @@
-#include "Biology.h"
+#include "tissue/biology/Biology.h"
 
 #include <limits>
 

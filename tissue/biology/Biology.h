@@ -4,17 +4,17 @@
 #include <optional>
 #include <span>
 
-#include "AgentStore.h"
-#include "BondTable.h"
-#include "CellCycle.h"
-#include "CellCycleParameters.h"
-#include "ContactInhibition.h"
-#include "ContactInhibitionParameters.h"
-#include "Division.h"
-#include "Endothelium.h"
-#include "EndotheliumParameters.h"
-#include "NitricOxide.h"
-#include "StateCounts.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/BondTable.h"
+#include "tissue/biology/CellCycle.h"
+#include "tissue/biology/CellCycleParameters.h"
+#include "tissue/biology/ContactInhibition.h"
+#include "tissue/biology/ContactInhibitionParameters.h"
+#include "tissue/biology/Division.h"
+#include "tissue/biology/Endothelium.h"
+#include "tissue/biology/EndotheliumParameters.h"
+#include "tissue/biology/NitricOxide.h"
+#include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
-#include "CellCycle.h"
+#include "tissue/biology/CellCycle.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "Chunks.h"
-#include "RandomStream.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 

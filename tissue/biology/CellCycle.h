@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "AgentStore.h"
-#include "CellCycleParameters.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/biology/CellCycleParameters.h"
 
 namespace restenosis {
 

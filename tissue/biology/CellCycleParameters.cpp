@@ -1,4 +1,4 @@
-#include "CellCycleParameters.h"
+#include "tissue/biology/CellCycleParameters.h"
 
 namespace restenosis {
 

@@ -1,9 +1,9 @@
-#include "ContactInhibition.h"
+#include "tissue/biology/ContactInhibition.h"
 
 #include <algorithm>
 #include <atomic>
 
-#include "Chunks.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "AgentStore.h"
-#include "ContactInhibitionLaw.h"
-#include "ContactInhibitionParameters.h"
-#include "ExposureMeasure.h"
-#include "MirroredNeighbours.h"
-#include "ReferenceConfiguration.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionParameters.h"
+#include "tissue/biology/ExposureMeasure.h"
+#include "tissue/biology/ReferenceConfiguration.h"
+#include "tissue/neighbours/MirroredNeighbours.h"
 
 namespace restenosis {
 

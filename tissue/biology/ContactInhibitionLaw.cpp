@@ -1,10 +1,10 @@
-#include "ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
 
 #include <array>
 
-#include "ExposureLaw.h"
-#include "NamedTable.h"
-#include "NeighbourCountLaw.h"
+#include "tissue/biology/ExposureLaw.h"
+#include "tissue/biology/NeighbourCountLaw.h"
+#include "tissue/parameters/NamedTable.h"
 
 namespace restenosis {
 

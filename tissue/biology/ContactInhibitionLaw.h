@@ -5,21 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "AgentStore.h"
-#include "ContactInhibitionParameters.h"
+#include "tissue/biology/ContactInhibitionParameters.h"
+#include "tissue/neighbours/ContactNeighbour.h"
 
 namespace restenosis {
-
-/// An agent near a cell.
-struct ContactNeighbour {
-  Vec3 offset;      ///< from the cell's centre to the neighbour's [m]
-  double distance;  ///< length of `offset` [m]
-  double radius;    ///< [m]
-  AgentKind kind;
-  /// Cosine between `offset` and the normal of the lamina the neighbour is part of, 0 to 1; 1 if it is of
-  /// none.
-  double facing = 1;
-};
 
 /// What a law may know of a cell.
 struct Surroundings {

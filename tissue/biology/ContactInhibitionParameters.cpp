@@ -1,6 +1,6 @@
-#include "ContactInhibitionParameters.h"
+#include "tissue/biology/ContactInhibitionParameters.h"
 
-#include "ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
 
 namespace restenosis {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ParameterVisitor.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

@@ -1,6 +1,6 @@
-#include "Division.h"
+#include "tissue/biology/Division.h"
 
-#include "RandomStream.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "AgentStore.h"
-#include "BondTable.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/BondTable.h"
 
 namespace restenosis {
 

@@ -1,12 +1,12 @@
-#include "Endothelium.h"
+#include "tissue/biology/Endothelium.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "Chunks.h"
-#include "RandomStream.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/RandomStream.h"
 
 namespace restenosis {
 

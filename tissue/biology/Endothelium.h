@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "AgentStore.h"
-#include "EndotheliumParameters.h"
-#include "EndotheliumScenario.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/biology/EndotheliumParameters.h"
+#include "tissue/biology/EndotheliumScenario.h"
 
 namespace restenosis {
 

@@ -1,6 +1,6 @@
-#include "EndotheliumParameters.h"
+#include "tissue/biology/EndotheliumParameters.h"
 
-#include "EndotheliumScenario.h"
+#include "tissue/biology/EndotheliumScenario.h"
 
 namespace restenosis {
 

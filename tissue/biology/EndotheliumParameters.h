@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ParameterVisitor.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
-#include "EndotheliumScenario.h"
+#include "tissue/biology/EndotheliumScenario.h"
 
 #include <array>
 #include <limits>
 
-#include "NamedTable.h"
-#include "SecondsPerDay.h"
+#include "tissue/parameters/NamedTable.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "ExposureMeasure.h"
+#include "tissue/biology/ExposureMeasure.h"
 
 #include <algorithm>
 #include <cmath>

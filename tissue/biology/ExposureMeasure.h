@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
 
 namespace restenosis {
 

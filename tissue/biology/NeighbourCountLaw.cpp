@@ -1,4 +1,4 @@
-#include "NeighbourCountLaw.h"
+#include "tissue/biology/NeighbourCountLaw.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ContactInhibitionLaw.h"
+#include "tissue/biology/ContactInhibitionLaw.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "NitricOxide.h"
+#include "tissue/biology/NitricOxide.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "Chunks.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "AgentStore.h"
-#include "EndotheliumParameters.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/biology/EndotheliumParameters.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "ReferenceConfiguration.h"
+#include "tissue/biology/ReferenceConfiguration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "Chunks.h"
-#include "Room.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 

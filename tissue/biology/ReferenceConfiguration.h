@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "AgentShapes.h"
+#include "tissue/agents/AgentShapes.h"
 
 namespace restenosis {
 

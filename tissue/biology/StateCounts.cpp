@@ -1,6 +1,6 @@
-#include "StateCounts.h"
+#include "tissue/biology/StateCounts.h"
 
-#include "Chunks.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 namespace {

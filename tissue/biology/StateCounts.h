@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "CellGrid.h"
+#include "tissue/neighbours/CellGrid.h"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "AgentStore.h"
-#include "CellLattice.h"
-#include "Chunks.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/neighbours/CellLattice.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "CellLattice.h"
+#include "tissue/neighbours/CellLattice.h"
 
 #include <fmt/format.h>
 

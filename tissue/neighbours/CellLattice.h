@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "AgentStore.h"
-#include "Chunks.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 

@@ -1,8 +1,8 @@
-#include "MovableGrid.h"
+#include "tissue/neighbours/MovableGrid.h"
 
 #include <algorithm>
 
-#include "Room.h"
+#include "tissue/agents/Room.h"
 
 namespace restenosis {
 namespace {

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "CellLattice.h"
-#include "Chunks.h"
-#include "PackedPlace.h"
-#include "RowPool.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/RowPool.h"
+#include "tissue/neighbours/CellLattice.h"
+#include "tissue/neighbours/PackedPlace.h"
 
 namespace restenosis {
 

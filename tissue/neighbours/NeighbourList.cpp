@@ -1,4 +1,4 @@
-#include "NeighbourList.h"
+#include "tissue/neighbours/NeighbourList.h"
 
 #include <xxhash.h>
 
@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "CellGrid.h"
-#include "Chunks.h"
-#include "NeighbourQuery.h"
-#include "Room.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/agents/Room.h"
+#include "tissue/neighbours/CellGrid.h"
+#include "tissue/neighbours/NeighbourQuery.h"
 
 namespace restenosis {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "AgentStore.h"
-#include "MovableGrid.h"
-#include "RowPool.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/RowPool.h"
+#include "tissue/neighbours/MovableGrid.h"
 
 namespace restenosis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "CellGrid.h"
+#include "tissue/neighbours/CellGrid.h"
 
 namespace restenosis {
 

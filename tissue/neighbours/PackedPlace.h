@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "CellLattice.h"
+#include "tissue/neighbours/CellLattice.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
-#include "SpatialOrder.h"
+#include "tissue/neighbours/SpatialOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "NeighbourQuery.h"
+#include "tissue/neighbours/NeighbourQuery.h"
 
 namespace restenosis {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ParameterVisitor.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

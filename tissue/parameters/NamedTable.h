@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "NameList.h"
+#include "tissue/parameters/NameList.h"
 
 namespace restenosis {
 

@@ -1,11 +1,11 @@
-#include "NearestName.h"
+#include "tissue/parameters/NearestName.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "NameList.h"
+#include "tissue/parameters/NameList.h"
 
 namespace restenosis {
 namespace {

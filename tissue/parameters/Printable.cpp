@@ -1,4 +1,4 @@
-#include "Printable.h"
+#include "tissue/parameters/Printable.h"
 
 #include <fmt/format.h>
 

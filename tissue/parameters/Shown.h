@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "Printable.h"
+#include "tissue/parameters/Printable.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "AgentCounts.h"
+#include "tissue/vessel/AgentCounts.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "AgentStore.h"
-#include "VesselParameters.h"
-#include "WallShape.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/vessel/VesselParameters.h"
+#include "tissue/vessel/WallShape.h"
 
 namespace restenosis {
 

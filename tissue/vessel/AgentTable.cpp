@@ -1,4 +1,4 @@
-#include "AgentTable.h"
+#include "tissue/vessel/AgentTable.h"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "LengthUnits.h"
-#include "NearestName.h"
-#include "Shown.h"
-#include "Trimmed.h"
+#include "tissue/parameters/LengthUnits.h"
+#include "tissue/parameters/NearestName.h"
+#include "tissue/parameters/Shown.h"
+#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "AgentStore.h"
+#include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
 

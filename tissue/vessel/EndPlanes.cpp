@@ -1,4 +1,4 @@
-#include "EndPlanes.h"
+#include "tissue/vessel/EndPlanes.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Constraint.h"
+#include "tissue/equilibrium/Constraint.h"
 
 namespace restenosis {
 

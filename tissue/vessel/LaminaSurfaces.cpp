@@ -1,9 +1,9 @@
-#include "LaminaSurfaces.h"
+#include "tissue/vessel/LaminaSurfaces.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "Cylindrical.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Constraint.h"
-#include "WallShape.h"
+#include "tissue/equilibrium/Constraint.h"
+#include "tissue/vessel/WallShape.h"
 
 namespace restenosis {
 

@@ -1,8 +1,8 @@
-#include "OuterConfinement.h"
+#include "tissue/vessel/OuterConfinement.h"
 
 #include <limits>
 
-#include "Cylindrical.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Constraint.h"
-#include "RadiusMap.h"
+#include "tissue/equilibrium/Constraint.h"
+#include "tissue/vessel/RadiusMap.h"
 
 namespace restenosis {
 

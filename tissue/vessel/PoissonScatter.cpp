@@ -1,11 +1,11 @@
-#include "PoissonScatter.h"
+#include "tissue/vessel/PoissonScatter.h"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
-#include "Chunks.h"
-#include "Cylindrical.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "PointGrid.h"
-#include "RandomStream.h"
-#include "SurfaceFromAxis.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/neighbours/PointGrid.h"
+#include "tissue/vessel/SurfaceFromAxis.h"
 
 namespace restenosis {
 

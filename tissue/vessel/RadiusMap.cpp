@@ -1,10 +1,10 @@
-#include "RadiusMap.h"
+#include "tissue/vessel/RadiusMap.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "Cylindrical.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 namespace {

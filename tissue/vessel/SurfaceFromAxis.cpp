@@ -1,9 +1,9 @@
-#include "SurfaceFromAxis.h"
+#include "tissue/vessel/SurfaceFromAxis.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "Cylindrical.h"
+#include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "RadiusMap.h"
+#include "tissue/vessel/RadiusMap.h"
 
 namespace restenosis {
 

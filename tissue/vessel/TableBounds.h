@@ -1,6 +1,6 @@
 #pragma once
 
-#include "VesselParameters.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,13 +1,13 @@
-#include "TableLayers.h"
+#include "tissue/vessel/TableLayers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "Cylindrical.h"
-#include "LengthUnits.h"
-#include "RadiusMap.h"
+#include "tissue/parameters/LengthUnits.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/RadiusMap.h"
 
 namespace restenosis {
 namespace {

@@ -1,4 +1,4 @@
-#include "TablePlaces.h"
+#include "tissue/vessel/TablePlaces.h"
 
 #include <fmt/format.h>
 

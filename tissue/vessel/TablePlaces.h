@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AgentTable.h"
+#include "tissue/vessel/AgentTable.h"
 
 namespace restenosis {
 

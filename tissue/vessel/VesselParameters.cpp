@@ -1,4 +1,4 @@
-#include "VesselParameters.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,6 +1,6 @@
-#include "Wall.h"
+#include "tissue/vessel/Wall.h"
 
-#include "SpatialOrder.h"
+#include "tissue/neighbours/SpatialOrder.h"
 
 namespace restenosis {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "AgentStore.h"
-#include "BondTable.h"
-#include "VesselParameters.h"
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/BondTable.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
-#include "WallBonds.h"
+#include "tissue/vessel/WallBonds.h"
 
 #include <vector>
 
-#include "BondCandidates.h"
-#include "Chunks.h"
-#include "NeighbourQuery.h"
+#include "tissue/agents/BondCandidates.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/neighbours/NeighbourQuery.h"
 
 namespace restenosis {
 

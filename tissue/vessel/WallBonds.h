@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Wall.h"
+#include "tissue/vessel/Wall.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "WallPacking.h"
+#include "tissue/vessel/WallPacking.h"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "Cylindrical.h"
-#include "EndPlanes.h"
-#include "LaminaSurfaces.h"
-#include "OuterConfinement.h"
-#include "PoissonScatter.h"
-#include "RandomStream.h"
-#include "WallBonds.h"
+#include "tissue/agents/RandomStream.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/EndPlanes.h"
+#include "tissue/vessel/LaminaSurfaces.h"
+#include "tissue/vessel/OuterConfinement.h"
+#include "tissue/vessel/PoissonScatter.h"
+#include "tissue/vessel/WallBonds.h"
 
 namespace restenosis {
 namespace {
@@ -82,13 +82,14 @@ Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::ui
   return wall;
 }
 
-Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
-              PackingReport* report) {
-  return packWall(vessel, cylindricalShape(vessel), mechanics, seed, report);
+Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics,
+              const RelaxationParameters& relaxation, std::uint64_t seed, PackingReport* report) {
+  return packWall(vessel, cylindricalShape(vessel), mechanics, relaxation, seed, report);
 }
 
 Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
-              std::uint64_t seed, PackingReport* report, const std::function<void()>& meanwhile) {
+              const RelaxationParameters& asked, std::uint64_t seed, PackingReport* report,
+              const std::function<void()>& meanwhile) {
   PackingReport done;
   done.counts = countAgents(vessel, shape);
   Wall wall = scatterWall(vessel, shape, seed, meanwhile);
@@ -96,13 +97,13 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
 
   // Packing always runs to equilibrium, and below the scene's tolerance, so that a wall at rest is at rest
   // for the scene; what the scene says about effort and mobility is for its own deformations.
-  MechanicsParameters settings = mechanics;
-  settings.minimiser = MechanicsParameters().minimiser;
+  RelaxationParameters settings = asked;
+  settings.minimiser = RelaxationParameters().minimiser;
   settings.axialForceFactor = 1;
-  settings.tolerance = mechanics.tolerance / 2;
-  settings.maximumIterations = std::max<std::int64_t>(mechanics.maximumIterations, 20000);
+  settings.tolerance = asked.tolerance / 2;
+  settings.maximumIterations = std::max<std::int64_t>(asked.maximumIterations, 20000);
   settings.stopAtMaximum = false;
-  Relaxation relaxation(settings, vessel.cellRadius);
+  Relaxation relaxation(mechanics, settings, vessel.cellRadius);
   relaxation.callMeanwhile(meanwhile);
   const auto relax = [&](std::span<const Constraint* const> constraints) {
     try {
@@ -111,10 +112,9 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
       throw RelaxationFailed(
           fmt::format(
               "the packed wall did not come to rest: after {} iterations the force on agent {} is "
-              "still {:.3g} times C r0^2, and walls are packed to half of mechanics.tolerance = {}. "
-              "Choose a larger tolerance, mechanics.stepLimit (now {}) or mechanics.maximumIterations",
-              failure.report.iterations, failure.worstAgent, failure.force, mechanics.tolerance,
-              mechanics.stepLimit),
+              "still {:.3g} times C r0^2, and walls are packed to half of relaxation.tolerance = {}. "
+              "Choose a larger tolerance, relaxation.stepLimit (now {}) or relaxation.maximumIterations",
+              failure.report.iterations, failure.worstAgent, failure.force, asked.tolerance, asked.stepLimit),
           failure.report, failure.worstAgent, failure.force);
     }
   };

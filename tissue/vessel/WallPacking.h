@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <functional>
 
-#include "AgentCounts.h"
-#include "MechanicsParameters.h"
-#include "Relaxation.h"
-#include "VesselParameters.h"
-#include "Wall.h"
-#include "WallShape.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/forces/MechanicsParameters.h"
+#include "tissue/vessel/AgentCounts.h"
+#include "tissue/vessel/VesselParameters.h"
+#include "tissue/vessel/Wall.h"
+#include "tissue/vessel/WallShape.h"
 
 namespace restenosis {
 
@@ -39,11 +39,11 @@ struct PackingReport {
 /// is the packing's pressure on the laminae. The same for any number of threads. Throws RelaxationFailed
 /// where it does not reach equilibrium. `meanwhile` is called again and again, and may throw to give up.
 Wall packWall(const VesselParameters& vessel, const WallShape& shape, const MechanicsParameters& mechanics,
-              std::uint64_t seed, PackingReport* report = nullptr,
+              const RelaxationParameters& relaxation, std::uint64_t seed, PackingReport* report = nullptr,
               const std::function<void()>& meanwhile = {});
 /// The same around a cylinder.
-Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics, std::uint64_t seed,
-              PackingReport* report = nullptr);
+Wall packWall(const VesselParameters& vessel, const MechanicsParameters& mechanics,
+              const RelaxationParameters& relaxation, std::uint64_t seed, PackingReport* report = nullptr);
 
 /// A wall of loaded agents (AgentTable): bonded as it stands, ends fixed, ordered in space; not relaxed.
 Wall adoptWall(const VesselParameters& vessel, AgentStore agents);

@@ -1,4 +1,4 @@
-#include "WallShape.h"
+#include "tissue/vessel/WallShape.h"
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "SurfaceFromAxis.h"
-#include "VesselParameters.h"
+#include "tissue/vessel/SurfaceFromAxis.h"
+#include "tissue/vessel/VesselParameters.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "WallTable.h"
+#include "tissue/vessel/WallTable.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "Cylindrical.h"
-#include "LengthUnits.h"
-#include "TableBounds.h"
-#include "TableLayers.h"
-#include "TablePlaces.h"
+#include "tissue/parameters/LengthUnits.h"
+#include "tissue/vessel/Cylindrical.h"
+#include "tissue/vessel/TableBounds.h"
+#include "tissue/vessel/TableLayers.h"
+#include "tissue/vessel/TablePlaces.h"
 
 namespace restenosis {
 namespace {
@@ -29,15 +29,16 @@ bool hasLamina(const AgentStore& agents) {
 
 class WallTableCheck {
  public:
-  WallTableCheck(const AgentTable& table, const VesselParameters& vessel, const StentParameters* stent)
-      : table_(table), agents_(table.agents), vessel_(vessel), stent_(stent) {}
+  WallTableCheck(const AgentTable& table, const VesselParameters& vessel,
+                 std::optional<double> deploymentDepth)
+      : table_(table), agents_(table.agents), vessel_(vessel), deploymentDepth_(deploymentDepth) {}
 
   void check() const {
     for (Index i = 0; i < agents_.size(); ++i) checkAgent(i);
     const auto isStrut = [](AgentKind kind) { return kind == AgentKind::strut; };
     if (std::ranges::all_of(agents_.kind, isStrut)) fail("has struts only; a wall has smc, iel or eel, too");
     checkOutermost();
-    if (stent_ || hasLamina(agents_)) {
+    if (deploymentDepth_ || hasLamina(agents_)) {
       checkSectors();
       checkGaps();
     }
@@ -73,7 +74,7 @@ class WallTableCheck {
                          "1.5 times the outer radius of the wall in [vessel], and a radius beyond",
                          distance / um, farthest / um));
     }
-    if (stent_ && agents_.kind[i] == AgentKind::strut) {
+    if (deploymentDepth_ && agents_.kind[i] == AgentKind::strut) {
       table_.fail(i,
                   "a strut in the wall of a scene with [stent], which brings its own struts; take the row "
                   "out of the table, or [stent] out of the scene");
@@ -111,8 +112,8 @@ class WallTableCheck {
         fail(fmt::format("no agent stands {}; a wall with laminae or a stent must surround the axis",
                          where()));
       }
-      if (!stent_) continue;
-      const double deployed = vessel_.lumenDiameter / 2 + stent_->deploymentDepth;
+      if (!deploymentDepth_) continue;
+      const double deployed = vessel_.lumenDiameter / 2 + *deploymentDepth_;
       if (outermost[n] >= deployed) continue;
       fail(
           fmt::format("{} the wall reaches {:.6g} um, but the stent {:.6g} um (vessel.lumenDiameter / 2 + "
@@ -138,14 +139,14 @@ class WallTableCheck {
   const AgentTable& table_;
   const AgentStore& agents_;
   const VesselParameters& vessel_;
-  const StentParameters* stent_;
+  std::optional<double> deploymentDepth_;
 };
 
 }  // namespace
 
-AgentStore readWallTable(const VesselParameters& vessel, const StentParameters* stent) {
+AgentStore readWallTable(const VesselParameters& vessel, std::optional<double> deploymentDepth) {
   AgentTable table = readAgentTable(vessel.agents, AgentKind::smc);
-  WallTableCheck(table, vessel, stent).check();
+  WallTableCheck(table, vessel, deploymentDepth).check();
   return std::move(table.agents);
 }
 

@@ -1,9 +1,9 @@
-#include "CyclePart.h"
+#include "bridge/coupling/parts/CyclePart.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "SecondsPerDay.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 namespace {

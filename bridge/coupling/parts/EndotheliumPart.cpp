@@ -1,4 +1,4 @@
-#include "EndotheliumPart.h"
+#include "bridge/coupling/parts/EndotheliumPart.h"
 
 namespace restenosis {
 

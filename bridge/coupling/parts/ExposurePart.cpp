@@ -1,4 +1,4 @@
-#include "ExposurePart.h"
+#include "bridge/coupling/parts/ExposurePart.h"
 
 namespace restenosis {
 

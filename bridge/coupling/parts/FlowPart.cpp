@@ -1,4 +1,4 @@
-#include "FlowPart.h"
+#include "bridge/coupling/parts/FlowPart.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 #include <utility>
 
-#include "FlowForecast.h"
-#include "FlowResolution.h"
-#include "PoiseuilleError.h"
-#include "SceneFingerprint.h"
-#include "SecondsPerDay.h"
-#include "StressReaders.h"
-#include "SurfaceCheck.h"
-#include "Units.h"
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/StressReaders.h"
+#include "bridge/flow/PoiseuilleError.h"
+#include "bridge/scene/FlowResolution.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/Units.h"
+#include "bridge/surface/SurfaceCheck.h"
+#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 

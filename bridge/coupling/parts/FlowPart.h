@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "FlowBackend.h"
-#include "Part.h"
-#include "World.h"
+#include "bridge/coupling/Part.h"
+#include "bridge/coupling/World.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,6 +1,6 @@
-#include "LumenPart.h"
+#include "bridge/coupling/parts/LumenPart.h"
 
-#include "LumenSurface.h"
+#include "bridge/surface/LumenSurface.h"
 
 namespace restenosis {
 

@@ -1,6 +1,6 @@
-#include "NitricOxidePart.h"
+#include "bridge/coupling/parts/NitricOxidePart.h"
 
-#include "StressReaders.h"
+#include "bridge/coupling/StressReaders.h"
 
 namespace restenosis {
 

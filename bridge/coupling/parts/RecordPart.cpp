@@ -1,11 +1,11 @@
-#include "RecordPart.h"
+#include "bridge/coupling/parts/RecordPart.h"
 
 #include <algorithm>
 
-#include "LumenWriter.h"
-#include "StateCounts.h"
-#include "TissueWriter.h"
-#include "WssStatistics.h"
+#include "bridge/output/LumenWriter.h"
+#include "bridge/output/TissueWriter.h"
+#include "bridge/sampling/WssStatistics.h"
+#include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Part.h"
-#include "PvdSeries.h"
-#include "TimeSeries.h"
-#include "World.h"
+#include "bridge/coupling/Part.h"
+#include "bridge/coupling/World.h"
+#include "bridge/output/PvdSeries.h"
+#include "bridge/output/TimeSeries.h"
 
 namespace restenosis {
 

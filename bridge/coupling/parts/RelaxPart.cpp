@@ -1,14 +1,14 @@
-#include "RelaxPart.h"
+#include "bridge/coupling/parts/RelaxPart.h"
 
 #include <array>
 
-#include "BondTurnover.h"
+#include "tissue/forces/BondTurnover.h"
 
 namespace restenosis {
 
 RelaxPart::RelaxPart(World& world)
     : world_(world),
-      relaxation_(*world.scene.mechanics, world.scene.vessel.cellRadius),
+      relaxation_(*world.scene.mechanics, *world.scene.relaxation, world.scene.vessel.cellRadius),
       ends_(world.wall.length) {}
 
 Verdict RelaxPart::inputsChanged(const Instant&) const {

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "EndPlanes.h"
-#include "Part.h"
-#include "Relaxation.h"
-#include "World.h"
+#include "bridge/coupling/Part.h"
+#include "bridge/coupling/World.h"
+#include "tissue/equilibrium/Relaxation.h"
+#include "tissue/vessel/EndPlanes.h"
 
 namespace restenosis {
 

@@ -1,7 +1,7 @@
-#include "WallShearPart.h"
+#include "bridge/coupling/parts/WallShearPart.h"
 
-#include "ShearResponse.h"
-#include "WssSampling.h"
+#include "bridge/sampling/ShearResponse.h"
+#include "bridge/sampling/WssSampling.h"
 
 namespace restenosis {
 

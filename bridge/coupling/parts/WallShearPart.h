@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Part.h"
-#include "World.h"
+#include "bridge/coupling/Part.h"
+#include "bridge/coupling/World.h"
 
 namespace restenosis {
 

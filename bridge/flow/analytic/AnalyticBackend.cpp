@@ -1,13 +1,13 @@
-#include "AnalyticBackend.h"
+#include "bridge/flow/analytic/AnalyticBackend.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-#include "FlowBackendNames.h"
-#include "LumenProfile.h"
-#include "LumenShape.h"
-#include "TrianglePieces.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/TrianglePieces.h"
+#include "bridge/flow/analytic/LumenProfile.h"
 
 namespace restenosis {
 namespace {

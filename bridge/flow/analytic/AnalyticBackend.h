@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenProfile.h"
+#include "bridge/flow/analytic/LumenProfile.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "FlowBackend.h"
-#include "LumenShape.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/LumenShape.h"
 
 namespace restenosis {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

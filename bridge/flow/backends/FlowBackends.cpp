@@ -1,13 +1,13 @@
-#include "FlowBackends.h"
+#include "bridge/flow/backends/FlowBackends.h"
 
 #include <fmt/format.h>
 
-#include "AnalyticBackend.h"
-#include "FlowBackendNames.h"
-#include "FoamBackend.h"
-#include "LbmBackend.h"
-#include "NameList.h"
-#include "StraightEnds.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/StraightEnds.h"
+#include "bridge/flow/analytic/AnalyticBackend.h"
+#include "bridge/flow/foam/FoamBackend.h"
+#include "bridge/flow/lbm/LbmBackend.h"
+#include "tissue/parameters/NameList.h"
 
 namespace restenosis {
 

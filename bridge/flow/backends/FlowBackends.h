@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "FlowBackend.h"
-#include "FoamSettings.h"
-#include "LbmSettings.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/foam/FoamSettings.h"
+#include "bridge/flow/lbm/LbmSettings.h"
 
 namespace restenosis {
 

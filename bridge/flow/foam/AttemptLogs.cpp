@@ -1,6 +1,6 @@
-#include "AttemptLogs.h"
+#include "bridge/flow/foam/AttemptLogs.h"
 
-#include "FoamLog.h"
+#include "bridge/flow/foam/FoamLog.h"
 
 namespace restenosis {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

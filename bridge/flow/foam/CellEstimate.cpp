@@ -1,4 +1,4 @@
-#include "CellEstimate.h"
+#include "bridge/flow/foam/CellEstimate.h"
 
 #include <algorithm>
 #include <cmath>

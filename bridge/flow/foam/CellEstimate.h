@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FoamSettings.h"
+#include "bridge/flow/foam/FoamSettings.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "DictionaryText.h"
+#include "bridge/flow/foam/DictionaryText.h"
 
 #include <fmt/format.h>
 

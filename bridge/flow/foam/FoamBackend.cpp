@@ -1,20 +1,20 @@
-#include "FoamBackend.h"
+#include "bridge/flow/foam/FoamBackend.h"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "AtomicFile.h"
-#include "AttemptLogs.h"
-#include "FlowBackendNames.h"
-#include "FoamLog.h"
-#include "FoamRun.h"
-#include "FoamTemplate.h"
-#include "FoamVelocity.h"
-#include "LumenCase.h"
-#include "LumenStl.h"
-#include "LumenWidth.h"
-#include "MeshMorph.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenWidth.h"
+#include "bridge/flow/foam/AttemptLogs.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamRun.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/flow/foam/FoamVelocity.h"
+#include "bridge/flow/foam/LumenCase.h"
+#include "bridge/flow/foam/LumenStl.h"
+#include "bridge/flow/foam/MeshMorph.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "FlowBackend.h"
-#include "FoamExecution.h"
-#include "FoamSettings.h"
-#include "FoamStart.h"
-#include "LumenCase.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/foam/FoamExecution.h"
+#include "bridge/flow/foam/FoamSettings.h"
+#include "bridge/flow/foam/FoamStart.h"
+#include "bridge/flow/foam/LumenCase.h"
 
 namespace restenosis {
 

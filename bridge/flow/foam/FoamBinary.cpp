@@ -1,4 +1,4 @@
-#include "FoamBinary.h"
+#include "bridge/flow/foam/FoamBinary.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "FoamLog.h"
+#include "bridge/flow/foam/FoamLog.h"
 
 namespace restenosis {
 

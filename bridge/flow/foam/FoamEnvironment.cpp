@@ -1,4 +1,4 @@
-#include "FoamEnvironment.h"
+#include "bridge/flow/foam/FoamEnvironment.h"
 
 #include <fmt/format.h>
 

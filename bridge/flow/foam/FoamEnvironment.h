@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ExternalProgram.h"
+#include "bridge/system/ExternalProgram.h"
 
 namespace restenosis {
 

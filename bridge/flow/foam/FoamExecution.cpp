@@ -1,11 +1,11 @@
-#include "FoamExecution.h"
+#include "bridge/flow/foam/FoamExecution.h"
 
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 
-#include "FoamEnvironment.h"
+#include "bridge/flow/foam/FoamEnvironment.h"
 
 namespace restenosis {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ExternalProgram.h"
+#include "bridge/system/ExternalProgram.h"
 
 namespace restenosis {
 

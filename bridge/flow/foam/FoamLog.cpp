@@ -1,4 +1,4 @@
-#include "FoamLog.h"
+#include "bridge/flow/foam/FoamLog.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
-#include "FoamRequirements.h"
+#include "bridge/flow/foam/FoamRequirements.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "ExternalProgram.h"
-#include "FoamEnvironment.h"
+#include "bridge/flow/foam/FoamEnvironment.h"
+#include "bridge/system/ExternalProgram.h"
 
 namespace restenosis {
 

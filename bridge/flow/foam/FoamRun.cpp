@@ -1,4 +1,4 @@
-#include "FoamRun.h"
+#include "bridge/flow/foam/FoamRun.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <csignal>
 
-#include "AtomicFile.h"
-#include "FoamLog.h"
-#include "FoamRequirements.h"
-#include "LengthUnits.h"
-#include "MeshMorph.h"
-#include "WallPatch.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamRequirements.h"
+#include "bridge/flow/foam/MeshMorph.h"
+#include "bridge/flow/foam/WallPatch.h"
+#include "bridge/system/AtomicFile.h"
+#include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
 

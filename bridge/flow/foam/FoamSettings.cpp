@@ -1,4 +1,4 @@
-#include "FoamSettings.h"
+#include "bridge/flow/foam/FoamSettings.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "ParameterVisitor.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

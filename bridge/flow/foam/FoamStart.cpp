@@ -1,14 +1,14 @@
-#include "FoamStart.h"
+#include "bridge/flow/foam/FoamStart.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "AtomicFile.h"
-#include "FoamBinary.h"
-#include "FoamLog.h"
-#include "PointTree.h"
+#include "bridge/flow/foam/FoamBinary.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/surface/PointTree.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "PolyMesh.h"
+#include "bridge/flow/foam/PolyMesh.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "FoamTemplate.h"
+#include "bridge/flow/foam/FoamTemplate.h"
 
 #include <fmt/format.h>
 

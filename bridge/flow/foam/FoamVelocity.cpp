@@ -1,4 +1,4 @@
-#include "FoamVelocity.h"
+#include "bridge/flow/foam/FoamVelocity.h"
 
 #include <fmt/format.h>
 #include <vtkCell.h>
@@ -13,8 +13,8 @@
 #include <Eigen/Dense>
 #include <stdexcept>
 
-#include "LengthUnits.h"
-#include "PointTree.h"
+#include "bridge/surface/PointTree.h"
+#include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
 namespace {

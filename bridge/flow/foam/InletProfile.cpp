@@ -1,4 +1,4 @@
-#include "InletProfile.h"
+#include "bridge/flow/foam/InletProfile.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include <numbers>
 #include <vector>
 
-#include "LumenShape.h"
-#include "PlaceInEnd.h"
-#include "Rotation.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/foam/PlaceInEnd.h"
+#include "bridge/surface/Rotation.h"
 
 namespace restenosis {
 namespace {

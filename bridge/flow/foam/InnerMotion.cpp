@@ -1,10 +1,10 @@
-#include "InnerMotion.h"
+#include "bridge/flow/foam/InnerMotion.h"
 
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <stdexcept>
 
-#include "PointTree.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "PolyMesh.h"
+#include "bridge/flow/foam/PolyMesh.h"
 
 namespace restenosis {
 

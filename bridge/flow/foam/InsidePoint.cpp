@@ -1,4 +1,4 @@
-#include "InsidePoint.h"
+#include "bridge/flow/foam/InsidePoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "InnerBalls.h"
+#include "bridge/surface/InnerBalls.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "BackgroundBlock.h"
-#include "TriSurface.h"
+#include "bridge/flow/foam/BackgroundBlock.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LumenCase.h"
+#include "bridge/flow/foam/LumenCase.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
-#include "CellEstimate.h"
-#include "EndClearance.h"
-#include "InsidePoint.h"
-#include "LengthUnits.h"
+#include "bridge/flow/EndClearance.h"
+#include "bridge/flow/foam/CellEstimate.h"
+#include "bridge/flow/foam/InsidePoint.h"
+#include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <array>
 
-#include "BackgroundBlock.h"
-#include "DictionaryText.h"
-#include "FlowBackend.h"
-#include "FoamSettings.h"
-#include "InletProfile.h"
-#include "LumenShape.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/foam/BackgroundBlock.h"
+#include "bridge/flow/foam/DictionaryText.h"
+#include "bridge/flow/foam/FoamSettings.h"
+#include "bridge/flow/foam/InletProfile.h"
 
 namespace restenosis {
 

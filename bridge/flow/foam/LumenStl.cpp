@@ -1,4 +1,4 @@
-#include "LumenStl.h"
+#include "bridge/flow/foam/LumenStl.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "AtomicFile.h"
-#include "StlFile.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "LumenCase.h"
-#include "TriSurface.h"
+#include "bridge/flow/foam/LumenCase.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

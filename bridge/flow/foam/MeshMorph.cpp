@@ -1,4 +1,4 @@
-#include "MeshMorph.h"
+#include "bridge/flow/foam/MeshMorph.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "InnerMotion.h"
-#include "LumenShape.h"
-#include "NearestTriangle.h"
-#include "SurfaceEnds.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/foam/InnerMotion.h"
+#include "bridge/surface/NearestTriangle.h"
+#include "bridge/surface/SurfaceEnds.h"
 
 namespace restenosis {
 namespace {

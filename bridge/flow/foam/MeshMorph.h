@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "FlowBackend.h"
-#include "PolyMesh.h"
-#include "TriSurface.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/foam/PolyMesh.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

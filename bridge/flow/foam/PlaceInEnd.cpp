@@ -1,11 +1,11 @@
-#include "PlaceInEnd.h"
+#include "bridge/flow/foam/PlaceInEnd.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
 
 namespace restenosis {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TriSurface.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "PolyMesh.h"
+#include "bridge/flow/foam/PolyMesh.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "AtomicFile.h"
-#include "FoamBinary.h"
-#include "FoamLog.h"
+#include "bridge/flow/foam/FoamBinary.h"
+#include "bridge/flow/foam/FoamLog.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "WallPatch.h"
+#include "bridge/flow/foam/WallPatch.h"
 
 #include <fmt/format.h>
 #include <vtkCell.h>

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "FlowBackend.h"
+#include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
 

@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-#include "D3Q19.h"
+#include "bridge/flow/lbm/D3Q19.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "ColumnLayout.h"
+#include "bridge/flow/lbm/ColumnLayout.h"
 
 #include <algorithm>
 #include <limits>

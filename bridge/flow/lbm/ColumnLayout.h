@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "D3Q19.h"
+#include "bridge/flow/lbm/D3Q19.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "DevelopedInlet.h"
+#include "bridge/flow/lbm/DevelopedInlet.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "LatticeBoundary.h"
-#include "LatticeFlow.h"
-#include "LumenLattice.h"
+#include "bridge/flow/lbm/LatticeBoundary.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
+#include "bridge/flow/lbm/LumenLattice.h"
 
 namespace restenosis {
 

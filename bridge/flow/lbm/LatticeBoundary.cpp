@@ -1,4 +1,4 @@
-#include "LatticeBoundary.h"
+#include "bridge/flow/lbm/LatticeBoundary.h"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "LumenLattice.h"
+#include "bridge/flow/lbm/LumenLattice.h"
 
 namespace restenosis {
 

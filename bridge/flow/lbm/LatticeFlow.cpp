@@ -1,4 +1,4 @@
-#include "LatticeFlow.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
 
 #include <omp.h>
 

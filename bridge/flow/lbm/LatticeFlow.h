@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "Collision.h"
-#include "LatticeBoundary.h"
-#include "LumenLattice.h"
-#include "RunLinks.h"
+#include "bridge/flow/lbm/Collision.h"
+#include "bridge/flow/lbm/LatticeBoundary.h"
+#include "bridge/flow/lbm/LumenLattice.h"
+#include "bridge/flow/lbm/RunLinks.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LatticeInterior.h"
+#include "bridge/flow/lbm/LatticeInterior.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "D3Q19.h"
-#include "SurfaceCrossings.h"
-#include "TriSurface.h"
+#include "bridge/flow/lbm/D3Q19.h"
+#include "bridge/flow/lbm/LineCrossings.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

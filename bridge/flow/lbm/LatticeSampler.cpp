@@ -1,4 +1,4 @@
-#include "LatticeSampler.h"
+#include "bridge/flow/lbm/LatticeSampler.h"
 
 #include <algorithm>
 #include <cmath>

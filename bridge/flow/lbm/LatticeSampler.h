@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "SteadyLattice.h"
+#include "bridge/flow/lbm/SteadyLattice.h"
 
 namespace restenosis {
 

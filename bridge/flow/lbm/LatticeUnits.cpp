@@ -1,4 +1,4 @@
-#include "LatticeUnits.h"
+#include "bridge/flow/lbm/LatticeUnits.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
 
 namespace restenosis {
 

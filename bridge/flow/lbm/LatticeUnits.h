@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FlowBackend.h"
-#include "LbmSettings.h"
-#include "TriSurface.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/lbm/LbmSettings.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "LbmBackend.h"
+#include "bridge/flow/lbm/LbmBackend.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -10,12 +10,12 @@
 #include <memory>
 #include <numbers>
 
-#include "AtomicFile.h"
-#include "FlowBackendNames.h"
-#include "LatticeSampler.h"
-#include "LumenShape.h"
-#include "LumenWidth.h"
-#include "SteadyLattice.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/LumenWidth.h"
+#include "bridge/flow/lbm/LatticeSampler.h"
+#include "bridge/flow/lbm/SteadyLattice.h"
+#include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <memory>
 
-#include "FlowBackend.h"
-#include "LbmSettings.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/lbm/LbmSettings.h"
 
 namespace restenosis {
 

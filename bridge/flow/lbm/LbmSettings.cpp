@@ -1,12 +1,12 @@
-#include "LbmSettings.h"
+#include "bridge/flow/lbm/LbmSettings.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <stdexcept>
 
-#include "NamedTable.h"
-#include "WallStress.h"
+#include "bridge/flow/lbm/WallStress.h"
+#include "tissue/parameters/NamedTable.h"
 
 namespace restenosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ParameterVisitor.h"
+#include "tissue/parameters/ParameterVisitor.h"
 
 namespace restenosis {
 

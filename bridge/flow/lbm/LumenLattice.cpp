@@ -1,4 +1,4 @@
-#include "LumenLattice.h"
+#include "bridge/flow/lbm/LumenLattice.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "LatticeInterior.h"
-#include "LumenShape.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/lbm/LatticeInterior.h"
 
 namespace restenosis {
 namespace {

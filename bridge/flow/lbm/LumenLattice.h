@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "ColumnLayout.h"
-#include "D3Q19.h"
-#include "TriSurface.h"
+#include "bridge/flow/lbm/ColumnLayout.h"
+#include "bridge/flow/lbm/D3Q19.h"
+#include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "RunLinks.h"
+#include "bridge/flow/lbm/RunLinks.h"
 
 #include <algorithm>
 #include <bit>

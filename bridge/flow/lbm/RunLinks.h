@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "LatticeBoundary.h"
+#include "bridge/flow/lbm/LatticeBoundary.h"
 
 namespace restenosis {
 

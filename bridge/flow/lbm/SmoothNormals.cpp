@@ -1,4 +1,4 @@
-#include "SmoothNormals.h"
+#include "bridge/flow/lbm/SmoothNormals.h"
 
 #include <numeric>
 

@@ -1,13 +1,13 @@
-#include "SteadyLattice.h"
+#include "bridge/flow/lbm/SteadyLattice.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "DevelopedInlet.h"
-#include "LumenShape.h"
-#include "SteadyState.h"
+#include "bridge/flow/LumenShape.h"
+#include "bridge/flow/lbm/DevelopedInlet.h"
+#include "bridge/flow/lbm/SteadyState.h"
 
 namespace restenosis {
 namespace {

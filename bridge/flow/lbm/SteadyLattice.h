@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "LatticeFlow.h"
-#include "LatticeUnits.h"
-#include "LbmSettings.h"
-#include "WallStress.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
+#include "bridge/flow/lbm/LatticeUnits.h"
+#include "bridge/flow/lbm/LbmSettings.h"
+#include "bridge/flow/lbm/WallStress.h"
 
 namespace restenosis {
 

@@ -1,4 +1,4 @@
-#include "SteadyState.h"
+#include "bridge/flow/lbm/SteadyState.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "WallDistances.h"
+#include "bridge/flow/lbm/WallDistances.h"
 
-#include "NearestTriangle.h"
+#include "bridge/surface/NearestTriangle.h"
 
 namespace restenosis {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "LumenLattice.h"
-#include "WallFit.h"
+#include "bridge/flow/lbm/LumenLattice.h"
+#include "bridge/flow/lbm/WallFit.h"
 
 namespace restenosis {
 

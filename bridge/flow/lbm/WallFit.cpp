@@ -1,4 +1,4 @@
-#include "WallFit.h"
+#include "bridge/flow/lbm/WallFit.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,12 +1,12 @@
-#include "WallStress.h"
+#include "bridge/flow/lbm/WallStress.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "PointTree.h"
-#include "SmoothNormals.h"
-#include "TrianglePieces.h"
-#include "WallDistances.h"
+#include "bridge/flow/TrianglePieces.h"
+#include "bridge/flow/lbm/SmoothNormals.h"
+#include "bridge/flow/lbm/WallDistances.h"
+#include "bridge/surface/PointTree.h"
 
 namespace restenosis {
 namespace {

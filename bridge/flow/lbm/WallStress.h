@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "FlowBackend.h"
-#include "LatticeFlow.h"
-#include "LumenLattice.h"
-#include "WallFit.h"
+#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/lbm/LatticeFlow.h"
+#include "bridge/flow/lbm/LumenLattice.h"
+#include "bridge/flow/lbm/WallFit.h"
 
 namespace restenosis {
 

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/BondTable.h"
+#include "tissue/equilibrium/Constraint.h"
+#include "tissue/equilibrium/RelaxationParameters.h"
+#include "tissue/forces/ForceField.h"
+#include "tissue/forces/MechanicsParameters.h"
+
+namespace restenosis {
+
+class RelaxingAgents;
+
+/// What a relaxation did.
+struct RelaxationReport {
+  int iterations = 0;
+  double residual = 0;                 ///< largest force left on a free agent over C r0^2
+  std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
+  bool converged = false;
+
+  /// Another relaxation has followed this one.
+  void goOnWith(const RelaxationReport& next) {
+    iterations += next.iterations;
+    agentEvaluations += next.agentEvaluations;
+    residual = next.residual, converged = next.converged;
+  }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(iterations, residual, agentEvaluations, converged);
+  }
+};
+
+/// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
+/// names the settings to change.
+struct RelaxationFailed : std::runtime_error {
+  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst, double left)
+      : std::runtime_error(message), report(done), worstAgent(worst), force(left) {}
+  RelaxationReport report;
+  AgentId worstAgent;  ///< the farthest from rest
+  double force;        ///< left on it, over C r0^2
+};
+
+/// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
+/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step. A daughter whose
+/// contacts are less stiff than `firmStiffness` rests at less, in proportion.
+///
+/// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
+/// unless these are many; the rest are checked before the relaxation ends. Before, the daughters around them
+/// move with them for a while, or tissue that grows would be left looser than it is in equilibrium. Results
+/// do not depend on the number of threads.
+class Relaxation {
+ public:
+  /// How far beyond contact the neighbour list looks, over the reference radius. Speed only: results do not
+  /// depend on it.
+  static constexpr double skinOverRadius = 0.4;
+
+  /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
+  /// law.
+  Relaxation(const MechanicsParameters& mechanics, const RelaxationParameters& parameters,
+             double referenceRadius);
+  ~Relaxation();
+  Relaxation(const Relaxation&) = delete;
+  Relaxation& operator=(const Relaxation&) = delete;
+
+  /// What to call before every iteration; it may throw to give the relaxation up, and agents are where they
+  /// had come to then.
+  void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
+
+  /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
+  /// AgentStore::pressure of the agents it evaluated.
+  RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
+                         std::span<const Constraint* const> constraints);
+
+  /// The same to the last bit, where since the last call agents have moved, grown or been appended and
+  /// nothing else has changed: the arguments are the same objects, constraints and bonds are as they were.
+  /// Costs what has changed and what moves. Agents in another order, and the first call, are dealt with as by
+  /// relax().
+  RelaxationReport relaxAgain(AgentStore& agents, const BondTable& bonds,
+                              std::span<const Constraint* const> constraints);
+
+  /// Gives back the memory that relaxAgain would go on from; it costs time only. Nothing is known of the last
+  /// relaxation then.
+  void forget();
+
+  double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
+
+ private:
+  /// What relaxAgain keeps from call to call.
+  struct Standing;
+  /// How to compute in mixed precision; nothing where double precision is asked for or needed.
+  std::optional<FixedScale> mixedScale() const;
+  RelaxationReport settle(Standing& standing) const;
+  /// Lets daughters around those that are awake move with them, for `yieldIterations`, and begins anew from
+  /// where they are then. Returns the iterations that took.
+  int yield(RelaxingAgents& relaxing) const;
+
+  RelaxationParameters parameters_;
+  std::function<void()> meanwhile_;
+  ForceField field_;
+  double contactModulus_;
+  double referenceRadius_;
+  double characteristicForce_;
+  NeighbourList neighbours_;            ///< kept between relaxations: speed only, no part of the state
+  std::unique_ptr<Standing> standing_;  ///< likewise
+};
+
+}  // namespace restenosis

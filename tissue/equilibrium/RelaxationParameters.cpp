@@ -1,0 +1,60 @@
+#include "tissue/equilibrium/RelaxationParameters.h"
+
+#include "tissue/equilibrium/Minimiser.h"
+
+namespace restenosis {
+
+void RelaxationParameters::describe(ParameterVisitor& p) {
+  p.choice(minimiser, minimiserNames(),
+           {.key = "minimiser",
+            .source = "assumed",
+            .description = "way to the equilibrium: FIRE, or T6's overdamped motion"});
+  p.choice(
+      precision, {"automatic", "mixed", "double"},
+      {.key = "precision",
+       .source = "assumed",
+       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 0.01 on"});
+  p.quantity(tolerance, {.key = "tolerance",
+                         .minimum = 1e-8,
+                         .maximum = 10,
+                         .source = "ISR3D",
+                         .description = "largest force left on an agent over C r0^2"});
+  p.quantity(
+      firmStiffness,
+      {.key = "firmStiffness",
+       .minimum = 0,
+       .maximum = 100,
+       .source = "assumed",
+       .description = "of contacts over C r0; daughters held less firmly rest at less force in proportion"});
+  p.boolean(sleeping, {.key = "sleeping",
+                       .source = "assumed",
+                       .description = "move only whom a disturbance reaches; without, all or none"});
+  p.integer(yieldIterations,
+            {.key = "yieldIterations",
+             .minimum = 0,
+             .maximum = 10000,
+             .source = "assumed",
+             .description = "iterations in which daughters around a disturbance move before those within "
+                            "their tolerance sleep; 0: they sleep at once"});
+  p.quantity(stepLimit, {.key = "stepLimit",
+                         .minimum = 1e-6,
+                         .maximum = 0.5,
+                         .source = "model 3",
+                         .description = "largest move of an agent in one relaxation step over its radius"});
+  p.integer(maximumIterations, {.key = "maximumIterations",
+                                .minimum = 1,
+                                .maximum = 10000000,
+                                .source = "assumed",
+                                .description = "iterations after which a relaxation has failed"});
+  p.boolean(stopAtMaximum, {.key = "stopAtMaximum",
+                            .source = "T6",
+                            .description = "go on with what maximumIterations gave (a fixed effort a step)"});
+  p.quantity(axialForceFactor,
+             {.key = "axialForceFactor",
+              .minimum = 0.1,
+              .maximum = 10,
+              .source = "T6",
+              .description = "factor on the axial part of every force: a mobility, no stiffness"});
+}
+
+}  // namespace restenosis

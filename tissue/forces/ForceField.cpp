@@ -1,0 +1,102 @@
+#include "tissue/forces/ForceField.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tissue/forces/BondAttraction.h"
+#include "tissue/forces/Cohesion.h"
+#include "tissue/forces/ContactLaws.h"
+
+namespace restenosis {
+
+ForceField::ForceField(const MechanicsParameters& parameters)
+    : parameters_(parameters), law_(&contactLaw(parameters.contactLaw)) {}
+
+NeighbourRange ForceField::range(double skin) const {
+  return {.factor = 1,
+          .daughterFactor = parameters_.cohesionModulus > 0 ? parameters_.cohesionRange : 1,
+          .skin = skin};
+}
+
+void ForceField::evaluate(const ExactSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
+                          std::span<AgentLoad> loads) const {
+  law_->evaluateExact(parameters_, spheres, rows, agents, loads);
+}
+
+void ForceField::evaluate(const FixedSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
+                          std::span<AgentLoad> loads) const {
+  law_->evaluateMixed(parameters_, spheres, rows, agents, loads);
+}
+
+std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const BondTable& bonds) const {
+  NeighbourList neighbours;
+  neighbours.build(agents, range(0));
+  const PairSource source{neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0};
+  std::vector<Index> all(agents.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  std::vector<AgentLoad> loads(agents.size());
+  const Index nobody = agents.size();
+  const std::vector<Sphere> spheres = packSpheres(agents, nobody);
+  PairRows rows;
+  for (std::size_t begin = 0; begin < all.size(); begin += PairRows::most) {
+    const auto piece =
+        std::span<const Index>(all).subspan(begin, std::min(PairRows::most, all.size() - begin));
+    rows.layOut(source, piece, nobody);
+    evaluate(ExactSpheres(spheres), rows, piece, std::span(loads).subspan(begin, piece.size()));
+  }
+  return loads;
+}
+
+void ForceField::setPressures(AgentStore& agents, const BondTable& bonds) const {
+  const std::vector<AgentLoad> loads = evaluate(agents, bonds);
+  for (Index i = 0; i < agents.size(); ++i)
+    if (agents.kind[i] != AgentKind::strut) agents.pressure[i] = loads[i].pressure;
+}
+
+double ForceField::energy(const AgentStore& agents, const BondTable& bonds) const {
+  NeighbourList neighbours;
+  neighbours.build(agents, range(0));
+  const Cohesion cohesion{parameters_.cohesionModulus, parameters_.cohesionRange};
+  const BondAttraction attraction{parameters_.bondModulus, parameters_.bondAxialFactor};
+  double total = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    const bool daughter = agents.has(i, AgentFlag::daughter);
+    for (const Index j : neighbours.of(i)) {
+      if (j < i) continue;
+      const double radii = agents.radius[i] + agents.radius[j];
+      const double gap = (agents.position(i) - agents.position(j)).norm() - radii;
+      if (gap < 0)
+        total += law_->energy(parameters_.contactModulus, -gap, agents.radius[i] * agents.radius[j] / radii);
+      if (daughter || agents.has(j, AgentFlag::daughter)) total += cohesion.energy(gap, radii);
+    }
+    for (const Bond& bond : bonds.of(i)) {
+      if (bond.partner < i) continue;
+      const double distance = (agents.position(i) - agents.position(bond.partner)).norm();
+      total += attraction.energy(distance, bond.restLength, agents.radius[i] + agents.radius[bond.partner]);
+    }
+  }
+  return total;
+}
+
+Index ForceField::agentsBeyondLaw(const AgentStore& agents) const {
+  if (agents.size() == 0) return 0;
+  // Those most unlike in size may come nearest, in shares of R1 + R2, before the law ends
+  const auto [least, most] = std::ranges::minmax(agents.radius);
+  const double nearest = 1 - law_->validOverlap(least * most / (least + most)) / (least + most);
+  if (!(nearest > 0)) return 0;
+  NeighbourList neighbours;
+  neighbours.build(agents, {.factor = nearest, .daughterFactor = nearest, .skin = 0});
+  const auto isBeyond = [&](Index i, Index j) {
+    const double radii = agents.radius[i] + agents.radius[j];
+    const double overlap = radii - (agents.position(i) - agents.position(j)).norm();
+    return overlap > law_->validOverlap(agents.radius[i] * agents.radius[j] / radii);
+  };
+  Index count = 0;
+  for (Index i = 0; i < agents.size(); ++i) {
+    count += agents.kind[i] != AgentKind::strut &&
+             std::ranges::any_of(neighbours.of(i), [&](Index j) { return isBeyond(i, j); });
+  }
+  return count;
+}
+
+}  // namespace restenosis

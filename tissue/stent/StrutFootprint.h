@@ -1,0 +1,40 @@
+#pragma once
+
+#include "tissue/neighbours/PointGrid.h"
+#include "tissue/stent/Stent.h"
+
+namespace restenosis {
+
+/// What lies over or under struts as seen from the axis: finds the strut that a place shares its angle and
+/// its place along the vessel with.
+class StrutFootprint {
+ public:
+  explicit StrutFootprint(const Stent& stent);
+
+  /// Where a place lies relative to the strut it is over or under.
+  struct Hit {
+    std::size_t segment;
+    double across;     ///< distance from the centreline along the surface, not negative [m]
+    double outerFace;  ///< distance of the strut's outer face from the axis [m]
+  };
+  /// Calls f(hit) for each segment whose footprint, `margin` narrower on both sides, holds the place.
+  template <class F>
+  void visit(const Vec3& place, double margin, F&& f) const {
+    grid_.visit(onSurface(place), reach_, [&](Index n, double) {
+      Hit hit{};
+      if (holds(n, place, margin, hit)) f(hit);
+      return true;
+    });
+  }
+
+ private:
+  Vec3 onSurface(const Vec3& place) const;
+  bool holds(Index segment, const Vec3& place, double margin, Hit& hit) const;
+
+  const Stent& stent_;
+  double radius_;  ///< of the cylinder on which footprints are compared [m]
+  double reach_;
+  PointGrid grid_;
+};
+
+}  // namespace restenosis
