@@ -36,7 +36,7 @@ Json packing(const Summary& summary) {
           {"eelAgents", done.counts.eel},
           {"cells", done.counts.smc},
           {"bonds", done.bonds},
-          {"largestForceLeft", done.released.residual},
+          {"largestResidual", done.released.residual},
           {"ielMeanRadialMoveOnRelease_um", 1e6 * done.ielDrift},
           {"rmsMoveOnRelease_um", 1e6 * done.rmsMove},
           {"cellsOutsideLaminae", done.expelled}};
@@ -129,7 +129,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["flow"] = flowSolves(summary);
   json["relaxation"] = {{"iterations", summary.relaxationIterations},
                         {"agentEvaluations", summary.agentEvaluations},
-                        {"largestForceLeft", summary.relaxationResidual}};
+                        {"largestResidual", summary.relaxationResidual}};
   json["poiseuille"] = poiseuille(summary);
   json["parts"] = partCosts(summary);
   double total = 0;

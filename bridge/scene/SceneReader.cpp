@@ -70,15 +70,27 @@ void checkSections(const SceneDocument& document, const KeysOfSections& all, Sce
   }
 }
 
-/// Numerical settings stood among those of the mechanics once.
-std::string followMovedKeys(SceneDocument& document, const KeysOfSections& all) {
+/// Numerical settings stood among those of the mechanics once. Returns which are found there, which are
+/// moved.
+std::vector<std::string> followMovedKeys(SceneDocument& document, const KeysOfSections& all) {
   const auto moved =
       std::ranges::find(all, RelaxationParameters::section, [](const auto& s) { return s.first; });
-  const auto keys = document.moveKeys(MechanicsParameters::section, moved->first, moved->second);
+  return document.moveKeys(MechanicsParameters::section, moved->first, moved->second);
+}
+
+/// Says so, and takes the tolerance for what it was there: a force over C r0^2, which moves an agent of a
+/// packed wall by about a fortieth of that share of its radius.
+std::string adoptMovedKeys(Scene& scene, const std::vector<std::string>& keys) {
   if (keys.empty()) return {};
-  return fmt::format("of [{}] these keys belong in [{}], where they are taken to be: {}",
-                     MechanicsParameters::section, moved->first,
-                     commaSeparated(std::vector<std::string_view>(keys.begin(), keys.end())));
+  std::string text = fmt::format("of [{}] these keys belong in [{}], where they are taken to be: {}",
+                                 MechanicsParameters::section, RelaxationParameters::section,
+                                 commaSeparated(std::vector<std::string_view>(keys.begin(), keys.end())));
+  if (scene.relaxation && std::ranges::find(keys, "tolerance") != keys.end()) {
+    scene.relaxation->tolerance /= 40;
+    text += fmt::format("; tolerance, a force over C r0^2 there, as {:.3g} of a radius",
+                        scene.relaxation->tolerance);
+  }
+  return text;
 }
 
 /// Defaults that follow from other keys.
@@ -153,7 +165,7 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   if (document.broken()) throw SceneError(findings.diagnostics);
   const KeysOfSections all = keysOfSections();
   for (const auto& override : overrides) document.apply(override, findings.diagnostics, all);
-  std::string movedKeys = followMovedKeys(document, all);
+  const std::vector<std::string> movedKeys = followMovedKeys(document, all);
   checkSections(document, all, findings);
 
   Scene scene;
@@ -175,7 +187,8 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
   checkScene(scene, document, units_, loaded, findings);
 
   if (findings.diagnostics.empty()) {
-    if (!movedKeys.empty()) scene.remarks.push_back(std::move(movedKeys));
+    if (std::string text = adoptMovedKeys(scene, movedKeys); !text.empty())
+      scene.remarks.push_back(std::move(text));
     if (scene.vessel.lumenSurface.empty())
       if (std::string width = remarkOnWidth(scene, scene.vessel.lumenDiameter); !width.empty())
         scene.remarks.push_back(std::move(width));

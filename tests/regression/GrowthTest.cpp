@@ -75,8 +75,8 @@ TEST_F(Growth, TakesTheLumenOnlyWhereItIsRead) {
   EXPECT_LE(json["parts"]["surface"]["calls"], 18);
   EXPECT_GT(json["relaxation"]["iterations"], 0);
   EXPECT_GT(json["relaxation"]["agentEvaluations"], json["relaxation"]["iterations"]);
-  EXPECT_GT(json["relaxation"]["largestForceLeft"], 0);
-  EXPECT_LE(json["relaxation"]["largestForceLeft"], RelaxationParameters().tolerance);
+  EXPECT_GT(json["relaxation"]["largestResidual"], 0);
+  EXPECT_LE(json["relaxation"]["largestResidual"], RelaxationParameters().tolerance);
 
   // What is recorded, and when, changes nothing that grows.
   ASSERT_EXIT_STATUS(run({"run", scene("tiny", tinyScene), "-o", "seldom", "--flow", "none", "--set",

@@ -14,7 +14,7 @@ struct SmallDeployment {
     vessel.lumenDiameter = 0.4e-3;
     stent.deploymentDepth = 60e-6;
     stent.deploymentSteps = 20;
-    relaxation.tolerance = 0.1;
+    relaxation.tolerance = 0.003;
   }
   VesselParameters vessel;
   StentParameters stent;

@@ -133,7 +133,6 @@ TEST(ForceField, GivesTheSameBitsForEveryListThatHoldsThePairsInRange) {
         ASSERT_EQ(loads[i].force(), expected[mixed][i].force());
         ASSERT_EQ(loads[i].pressure, expected[mixed][i].pressure);
         ASSERT_EQ(loads[i].stiffness, expected[mixed][i].stiffness);
-        ASSERT_EQ(loads[i].firmness, expected[mixed][i].firmness);
       }
     }
   }
@@ -163,7 +162,6 @@ TEST(ForceField, GivesTheSameBitsForEightAndForSixteenLanes) {
     ASSERT_EQ(eight[i].force(), sixteen[i].force());
     ASSERT_EQ(eight[i].pressure, sixteen[i].pressure);
     ASSERT_EQ(eight[i].stiffness, sixteen[i].stiffness);
-    ASSERT_EQ(eight[i].firmness, sixteen[i].firmness);
   }
 }
 
@@ -200,7 +198,6 @@ TEST(ForceField, IsTheSameInMixedPrecisionUpToRounding) {
       sum += mixed[i].force();
       EXPECT_LT((mixed[i].force() - exact[i].force()).norm(), 2e-6 * largest) << law << ' ' << i;
       EXPECT_NEAR(mixed[i].stiffness, exact[i].stiffness, 1e-4 * exact[i].stiffness) << law << ' ' << i;
-      EXPECT_NEAR(mixed[i].firmness, exact[i].firmness, 1e-4 * exact[i].stiffness) << law << ' ' << i;
     }
     EXPECT_LT(sum.norm(), 1e-6 * largest);
   }
@@ -268,27 +265,6 @@ TEST(ForceField, CohesionIsForDaughtersOnly) {
   agents.set(1, AgentFlag::daughter, true);
   EXPECT_GT(field.evaluate(agents, bonds)[0].fz, 0);
   EXPECT_EQ(field.evaluate(agents, bonds)[0].fz, -field.evaluate(agents, bonds)[1].fz);
-}
-
-TEST(ForceField, IsFirmByContactsAlone) {
-  const auto pair = [](double distance) {
-    AgentStore agents;
-    for (int k = 0; k < 2; ++k) agents.append(AgentKind::smc, {0, 0, k * distance}, r);
-    return agents;
-  };
-  const ForceField field{MechanicsParameters{}};
-  BondTable bonds;
-  bonds.resize(2);
-  const AgentLoad pressed = field.evaluate(pair(1.9 * r), bonds)[0];
-  EXPECT_GT(pressed.firmness, 0);
-  EXPECT_EQ(pressed.firmness, pressed.stiffness);
-  bonds.connect(0, 1, 1.8 * r);
-  const AgentLoad bonded = field.evaluate(pair(1.9 * r), bonds)[0];
-  EXPECT_EQ(bonded.firmness, pressed.firmness);
-  EXPECT_GT(bonded.stiffness, 2 * pressed.stiffness);
-  const AgentLoad apart = field.evaluate(pair(2.1 * r), bonds)[0];
-  EXPECT_EQ(apart.firmness, 0);
-  EXPECT_GT(apart.stiffness, 0);
 }
 
 TEST(ForceField, PushesCoincidingCentresApart) {

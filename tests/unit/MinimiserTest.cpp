@@ -25,7 +25,7 @@ std::unique_ptr<MotionPiece> moversPiece(std::span<const Mover> movers) {
   for (std::size_t k = 0; k < movers.size(); ++k) {
     const Mover& m = movers[k];
     piece->set(k, {.radius = m.radius});
-    piece->setNow(k, {.force = m.force, .stiffness = m.stiffness, .restlessness = m.force.norm()});
+    piece->setNow(k, {.force = m.force, .stiffness = m.stiffness});
     piece->vx[k] = m.velocity.x(), piece->vy[k] = m.velocity.y(), piece->vz[k] = m.velocity.z();
   }
   piece->fillLanes(movers.size());
@@ -74,24 +74,6 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
     EXPECT_LE(longest, 0.05 * (1 + 1e-12)) << name;
     EXPECT_GT(longest, 0.01) << name;
   }
-}
-
-TEST(Minimiser, NearRestSetsOutFasterAndFindsTheBottomToo) {
-  const RelaxationParameters p = minimisedBy("fire");
-  const auto firstMove = [](Minimiser& minimiser) {
-    Spring spring;
-    spring.position *= 1e-3;
-    spring.piece->setForce(0, -spring.position);
-    return spring.step(minimiser).norm();
-  };
-  const auto careful = makeMinimiser(p), near = makeMinimiser(p), whole = makeMinimiser(p);
-  near->setOutNearRest(), whole->setOutNearRest();
-  // By the square of the time step
-  EXPECT_NEAR(firstMove(*near) / firstMove(*careful), std::pow(1.35 / 0.4, 2), 1e-5);
-  Spring spring;
-  const double longest = spring.relax(*whole, 300);
-  EXPECT_LT(spring.position.norm(), 1e-6);
-  EXPECT_LE(longest, p.stepLimit * (1 + 1e-12));
 }
 
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {

@@ -51,13 +51,15 @@ double largestDifference(const AgentStore& a, const AgentStore& b) {
   return largest;
 }
 
-/// By agent, in units of C r0^2; 0 for fixed ones.
+/// How far the force on each agent would move it, over its radius; 0 for fixed ones. An agent is held as by a
+/// contact 2 % of its radius deep at least.
 std::vector<double> residuals(const Mechanics& p, const Block& block) {
   std::vector<double> found(block.agents.size());
   const auto loads = ForceField(p.forces).evaluate(block.agents, block.bonds);
   for (Index i = 0; i < block.agents.size(); ++i) {
     if (!block.agents.has(i, AgentFlag::fixed))
-      found[i] = loads[i].force().norm() / (p.forces.contactModulus * r * r);
+      found[i] = loads[i].force().norm() / std::max(loads[i].stiffness, 1.2 * p.forces.contactModulus * r) /
+                 block.agents.radius[i];
   }
   return found;
 }
@@ -241,7 +243,6 @@ TEST(Relaxation, LeavesAQuietTissueAsItIs) {
 
 TEST(Relaxation, WorksWhereSomethingGrows) {
   Mechanics p;
-  p.relaxation.tolerance = 0.01;
   Block block(12);
   Relaxation relaxation(p.forces, p.relaxation, r);
   relaxation.relax(block.agents, block.bonds, {});
@@ -256,46 +257,35 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
 }
 
 /// One agent between two fixed ones, each overlapping it by `overlap` radii, and moved off the middle until
-/// the force on it is half of the tolerance.
-Block heldAgent(const Mechanics& p, double overlap) {
+/// the force on it would move it by this share of its radius.
+Block heldAgent(const Mechanics& p, double overlap, double residual) {
   Block row(0);
   for (int k = -1; k <= 1; ++k) {
     const Index i = row.agents.append(AgentKind::smc, Vec3(k * (2 - overlap) * r, 0, 0), r);
     row.agents.set(i, AgentFlag::fixed, k != 0);
   }
-  row.agents.set(1, AgentFlag::daughter, true);
   row.bonds.resize(3);
-  while (largestResidual(p, row) < 0.5 * p.relaxation.tolerance) row.agents.x[1] += 1e-5 * r;
+  while (largestResidual(p, row) < residual) row.agents.x[1] += 1e-6 * r;
   return row;
 }
 
-TEST(Relaxation, BringsDaughtersThatContactsHoldSoftlyFartherToRest) {
-  Mechanics p;
-  for (const double overlap : {0.02, 0.5}) {
-    Block row = heldAgent(p, overlap);
-    const AgentStore before = row.agents;
-    const double firmness =
-        ForceField(p.forces).evaluate(row.agents, row.bonds)[1].firmness / (p.forces.contactModulus * r);
-    p.relaxation.firmStiffness = 0;
-    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
-    EXPECT_EQ(row.agents.x, before.x) << "within the tolerance";
-    p.relaxation.firmStiffness = 0.9 * firmness;
-    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
-    EXPECT_EQ(row.agents.x, before.x) << "held firmly";
-    p.relaxation.firmStiffness = 4 * firmness;
-    row.agents.set(1, AgentFlag::daughter, false);
-    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
-    EXPECT_EQ(row.agents.x, before.x) << "no daughter";
-    row.agents.set(1, AgentFlag::daughter, true);
-    Relaxation(p.forces, p.relaxation, r).relax(row.agents, row.bonds, {});
-    EXPECT_NE(row.agents.x, before.x) << overlap;
-    EXPECT_LE(largestResidual(p, row), p.relaxation.tolerance / 4) << overlap;
+TEST(Relaxation, BringsAgentsAsNearToTheirPlaceHoweverStifflyTheyAreHeld) {
+  const Mechanics p;
+  const double tolerance = p.relaxation.tolerance;
+  for (const double overlap : {0.02, 0.1, 0.5}) {
+    Block within = heldAgent(p, overlap, 0.9 * tolerance), beyond = heldAgent(p, overlap, 1.1 * tolerance);
+    const AgentStore before = within.agents;
+    EXPECT_LT(std::abs(before.x[1]), 2 * tolerance * r) << "contacts are stiffer the deeper they are";
+    Relaxation(p.forces, p.relaxation, r).relax(within.agents, within.bonds, {});
+    EXPECT_EQ(within.agents.x, before.x) << overlap;
+    Relaxation(p.forces, p.relaxation, r).relax(beyond.agents, beyond.bonds, {});
+    EXPECT_LE(largestResidual(p, beyond), 0.1 * tolerance) << overlap;
+    EXPECT_LT(std::abs(beyond.agents.x[1]), 0.2 * tolerance * r) << overlap;
   }
 }
 
 TEST(Relaxation, BringsADaughterWithoutContactToRest) {
   Mechanics p;
-  p.relaxation.firmStiffness = 100;
   Block block(8, false);
   block.agents.set(block.agents.size() / 2, AgentFlag::daughter, true);
   block.agents.radius[block.agents.size() / 2] *= 0.5;
@@ -305,6 +295,7 @@ TEST(Relaxation, BringsADaughterWithoutContactToRest) {
 
 TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
   Mechanics p;
+  p.relaxation.tolerance = 2.5e-4;
   Block block(16);
   Relaxation relaxation(p.forces, p.relaxation, r);
   relaxation.relax(block.agents, block.bonds, {});
@@ -319,89 +310,17 @@ TEST(Relaxation, LeavesThoseThatMovedFarBelowTheTolerance) {
   ASSERT_GT(left.size(), 20);
   ASSERT_LT(left.size(), before.size() / 4);
   std::ranges::nth_element(left, left.begin() + left.size() / 2);
-  EXPECT_LT(left[left.size() / 2], 0.1 * p.relaxation.tolerance);
+  EXPECT_LT(left[left.size() / 2], 0.2 * p.relaxation.tolerance);
 }
 
-/// Agents with these flags, at rest, of whom one has grown then.
-Block disturbedBlock(std::uint8_t flags) {
-  Block block(16, false);
-  for (std::uint8_t& of : block.agents.flags) of |= flags;
-  Mechanics p;
-  p.relaxation.yieldIterations = 0;
-  Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
-  block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
-  return block;
-}
-
-AgentStore relaxed(Block block, std::int64_t yieldIterations, bool sleeping = true) {
-  Mechanics p;
-  p.relaxation.yieldIterations = yieldIterations, p.relaxation.sleeping = sleeping;
-  EXPECT_TRUE(Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {}).converged);
-  EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
-  return block.agents;
-}
-
-TEST(Relaxation, LetsDaughtersAroundADisturbanceYield) {
-  const Block block = disturbedBlock(AgentFlag::daughter);
-  const AgentStore stiff = relaxed(block, 0), yielding = relaxed(block, 20);
-  const Vec3 disturbed = block.agents.position(block.agents.size() / 2 + 3);
-  Index moved = 0, movedStiff = 0, near = 0, far = 0;
-  for (Index i = 0; i < block.agents.size(); ++i) {
-    const Vec3 before = block.agents.position(i);
-    if ((before - disturbed).norm() > 13 * r && !block.agents.has(i, AgentFlag::fixed)) {
-      ++far;
-      EXPECT_EQ(yielding.position(i), before) << "far away " << i;
-    } else if ((before - disturbed).norm() < 5 * r && !block.agents.has(i, AgentFlag::fixed)) {
-      ++near;
-      moved += yielding.position(i) != before, movedStiff += stiff.position(i) != before;
-    }
-  }
-  ASSERT_GT(near, 50);
-  ASSERT_GT(far, 50);
-  EXPECT_EQ(moved, near) << "of those up to two and a half diameters away";
-  EXPECT_LT(movedStiff, near);
-  const AgentStore awake = relaxed(block, 0, false);
-  const auto apart = [&](const AgentStore& from) {
-    double squares = 0;
-    for (Index i = 0; i < awake.size(); ++i) squares += (from.position(i) - awake.position(i)).squaredNorm();
-    return squares;
-  };
-  EXPECT_LT(apart(yielding), apart(stiff)) << "from where everybody awake comes to rest";
-}
-
-TEST(Relaxation, YieldingIsForDaughtersThatSleep) {
-  const Block cells = disturbedBlock(0);
-  EXPECT_EQ(largestDifference(relaxed(cells, 20), relaxed(cells, 0)), 0) << "no daughters";
-  const Block daughters = disturbedBlock(AgentFlag::daughter);
-  EXPECT_EQ(largestDifference(relaxed(daughters, 20, false), relaxed(daughters, 0, false)), 0) << "all awake";
-}
-
-TEST(Relaxation, YieldingDoesNotDependOnThreads) {
-  const Block block = disturbedBlock(AgentFlag::daughter);
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const AgentStore one = relaxed(block, 20);
-  omp_set_num_threads(3);
-  const AgentStore three = relaxed(block, 20);
-  omp_set_num_threads(threads);
-  EXPECT_EQ(largestDifference(one, three), 0);
-}
-
-TEST(Relaxation, YieldsForLessThanHalfOfTheIterationsAllowed) {
-  Mechanics p;
-  p.relaxation.yieldIterations = 1000, p.relaxation.maximumIterations = 12, p.relaxation.stopAtMaximum = true;
-  Block block = disturbedBlock(AgentFlag::daughter);
-  EXPECT_LE(Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {}).iterations, 12);
-}
-
-TEST(Relaxation, MovesEverybodyWithoutSleeping) {
+TEST(Relaxation, MovesAllAgentsWithoutAnActiveSet) {
   Mechanics p;
   Block block(12);
   Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
-  p.relaxation.sleeping = false;
+  p.relaxation.activeSet = false;
   Relaxation all(p.forces, p.relaxation, r);
   const AgentStore atRest = block.agents;
-  EXPECT_EQ(all.relax(block.agents, block.bonds, {}).iterations, 0) << "nobody is above the tolerance";
+  EXPECT_EQ(all.relax(block.agents, block.bonds, {}).iterations, 0) << "none is above the tolerance";
   EXPECT_EQ(atRest.x, block.agents.x);
   block.agents.radius[block.agents.size() / 2 + 3] *= 1.1;
   const auto report = all.relax(block.agents, block.bonds, {});
@@ -423,6 +342,22 @@ TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
       << report.iterations << " iterations";
 }
 
+TEST(Relaxation, HasConvergedWhereTheIterationsLeadToTheToleranceOnly) {
+  Mechanics p;
+  p.relaxation.stopAtMaximum = true;
+  p.relaxation.maximumIterations = 1;
+  const auto relaxed = [&p] {
+    Block block(7);
+    return Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
+  };
+  while (relaxed().residual > p.relaxation.tolerance) ++p.relaxation.maximumIterations;
+  const RelaxationReport report = relaxed();
+  EXPECT_EQ(report.iterations, p.relaxation.maximumIterations);
+  EXPECT_GT(report.residual, 0.1 * p.relaxation.tolerance) << "less than a relaxation aims at";
+  p.relaxation.stopAtMaximum = false;
+  EXPECT_TRUE(relaxed().converged);
+}
+
 TEST(Relaxation, NamesTheSettingsWhenItFails) {
   Mechanics p;
   p.relaxation.maximumIterations = 2;
@@ -432,7 +367,8 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
     FAIL();
   } catch (const RelaxationFailed& e) {
     EXPECT_NE(std::string(e.what()).find("relaxation.maximumIterations = 2"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("relaxation.tolerance"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("relaxation.tolerance = 0.001"), std::string::npos) << e.what();
+    EXPECT_GT(e.report.residual, 0.001);
   }
   p.relaxation.stepLimit = 1e-5;
   try {
@@ -442,21 +378,6 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
     EXPECT_NE(std::string(e.what()).find("relaxation.stepLimit = 1e-05 no agent moves by more than 2e-05"),
               std::string::npos)
         << e.what();
-  }
-  // Only daughters come to rest at less than the tolerance
-  p.relaxation.firmStiffness = 100;
-  for (const bool daughters : {false, true}) {
-    for (Index i = 0; i < block.agents.size(); ++i) block.agents.set(i, AgentFlag::daughter, daughters);
-    try {
-      Relaxation(p.forces, p.relaxation, r).relax(block.agents, block.bonds, {});
-      FAIL();
-    } catch (const RelaxationFailed& e) {
-      const std::string text = e.what();
-      EXPECT_EQ(text.find("or a smaller relaxation.firmStiffness") != text.npos, daughters) << text;
-      EXPECT_EQ(text.find("of at most") != text.npos, daughters) << text;
-      EXPECT_GT(e.force, 0);
-      EXPECT_LE(e.force, e.report.residual);
-    }
   }
   p = Mechanics();
   p.relaxation.maximumIterations = 2;

@@ -241,17 +241,19 @@ TEST_F(SceneReaderTest, BlamesTheOptionThatWasTyped) {
 }
 
 TEST_F(SceneReaderTest, NumericalSettingsAreFollowedToTheirSection) {
-  const std::string former = with(start, "[mechanics]", "[mechanics]\ntolerance = 0.1\nbondAxialFactor = 2");
+  const std::string former = with(start, "[mechanics]", "[mechanics]\ntolerance = 0.08\nbondAxialFactor = 2");
   const Scene scene = SceneReader(units).readText(former, "x.toml");
-  EXPECT_EQ(scene.relaxation->tolerance, 0.1);
+  EXPECT_EQ(scene.relaxation->tolerance, 0.002);
   EXPECT_EQ(scene.mechanics->bondAxialFactor, 2);
   ASSERT_EQ(scene.remarks.size(), 1u);
-  EXPECT_EQ(scene.remarks[0],
-            "of [mechanics] these keys belong in [relaxation], where they are taken to be: tolerance");
+  EXPECT_EQ(
+      scene.remarks[0],
+      "of [mechanics] these keys belong in [relaxation], where they are taken to be: tolerance; tolerance, a "
+      "force over C r0^2 there, as 0.002 of a radius");
 
   EXPECT_EQ(SceneReader(units).readText(start, "x.toml").relaxation->tolerance,
             RelaxationParameters().tolerance);
-  expectOne(former + "[relaxation]\ntolerance = 0.2\n", 8, {"tolerance", "it belongs in [relaxation]"});
+  expectOne(former + "[relaxation]\ntolerance = 0.02\n", 8, {"tolerance", "it belongs in [relaxation]"});
   expectOne(with(start, "[mechanics]\n[cellCycle]", "[relaxation]"), 7, {"[relaxation] needs [mechanics]"});
   expectOne(with(start, "[mechanics]", "[mechanics]\ntolerance = -1"), 8, {"'tolerance' in [relaxation]"});
 }

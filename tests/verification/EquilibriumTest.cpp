@@ -108,7 +108,7 @@ TEST(Equilibrium, ACompressedChainSharesItsOverlapAndPushesAsTheLawSays) {
 }
 
 TEST(Equilibrium, AStretchedBondedChainHasTheModulusOfItsBonds) {
-  const auto p = with("hertzNeoHookean", "fire", 1e-6);
+  const auto p = with("hertzNeoHookean", "fire", 1e-7);
   const int spheres = 12;
   const double rest = 2 * r, strain = 0.1;
   AgentStore agents;
@@ -181,15 +181,15 @@ TEST(Equilibrium, OfAGrowingCellIsTheSameWithSleepersAndWithout) {
   // At the tolerance of a run only the surroundings of the grown cell wake; at a thousandth of it the whole
   // block does.
   Block block(16);
-  Relaxation exact({}, with("hertzNeoHookean", "fire", 1e-5).relaxation, r);
+  Relaxation exact({}, with("hertzNeoHookean", "fire", 1e-7).relaxation, r);
   exact.relax(block.agents, block.bonds, {});
   const Index grown = block.agents.size() / 2 + 4;
   ASSERT_FALSE(block.agents.has(grown, AgentFlag::fixed));
   block.agents.radius[grown] *= 1.03;
 
   Block lazy = block;
-  const auto lazyReport =
-      Relaxation({}, with("hertzNeoHookean", "fire", 0.01).relaxation, r).relax(lazy.agents, lazy.bonds, {});
+  const auto lazyReport = Relaxation({}, with("hertzNeoHookean", "fire", 2.5e-5).relaxation, r)
+                              .relax(lazy.agents, lazy.bonds, {});
   const AgentStore before = block.agents;
   const auto exactReport = exact.relax(block.agents, block.bonds, {});
 
@@ -205,8 +205,8 @@ TEST(Equilibrium, OfAPulledWallTakesSleepersNotManyTimesTheIterationsOfAllAwake)
   // iterations.
   const auto pulled = [](bool sleeping) {
     Block block(16);
-    auto p = with("hertzNeoHookean", "fire", 0.04);
-    p.relaxation.sleeping = sleeping;
+    auto p = with("hertzNeoHookean", "fire", 0.001);
+    p.relaxation.activeSet = sleeping;
     Relaxation relaxation(p.forces, p.relaxation, r);
     RelaxationReport all = relaxation.relax(block.agents, block.bonds, {});
     const double end = *std::ranges::max_element(block.agents.z);
@@ -222,7 +222,7 @@ TEST(Equilibrium, OfAPulledWallTakesSleepersNotManyTimesTheIterationsOfAllAwake)
   const RelaxationReport sleeping = pulled(true), awake = pulled(false);
   EXPECT_TRUE(sleeping.converged);
   EXPECT_TRUE(awake.converged);
-  EXPECT_LT(sleeping.iterations, 10 * awake.iterations);
+  EXPECT_LT(sleeping.iterations, 20 * awake.iterations);
   EXPECT_LT(sleeping.agentEvaluations, 3 * awake.agentEvaluations);
 }
 

@@ -43,7 +43,7 @@ TEST(WallAtRest, LaminaeStayOnTheirCylindersWhenReleased) {
 TEST(WallAtRest, ATighterRelaxationMovesNothingFar) {
   Wall wall = packed().wall;
   RelaxationParameters tight;
-  tight.tolerance = 0.004;
+  tight.tolerance = 1e-4;
   const OuterConfinement outside(wall.agents, wall.cellRadius);
   const EndPlanes ends(wall.length);
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};

@@ -211,11 +211,6 @@ void AgentForces::move(std::span<const Index> agents, MotionPiece& piece, const 
   }
 }
 
-bool AgentForces::daughterInRange(Index i, Index j) const {
-  const double reach = range_.daughterFactor * (agents_.radius[i] + agents_.radius[j]);
-  return (agents_.position(i) - agents_.position(j)).squaredNorm() < reach * reach;
-}
-
 bool AgentForces::inRange(const MotionPiece& piece, std::size_t k, Index j) const {
   const bool daughter = piece.daughter[k] || agents_.has(j, AgentFlag::daughter);
   const double reach =
@@ -243,11 +238,9 @@ void AgentForces::updateLists(MovingAgents& moving, std::span<const Index> cramp
 }
 
 void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads) const {
-  MotionPiece::Floats firmness;
   for (std::size_t k = 0; k < loads.size(); ++k) {
     piece.setForce(k, loads[k].force());
     piece.stiffness[k] = static_cast<float>(std::max(settings_.softest, loads[k].stiffness));
-    firmness[k] = static_cast<float>(loads[k].firmness);
   }
   for (std::size_t k = 0; k < loads.size(); ++k) {
     if (piece.room[k] > 0) continue;
@@ -256,12 +249,9 @@ void AgentForces::setForces(MotionPiece& piece, std::span<const AgentLoad> loads
       constraint->release(piece.kind[k], piece.radius[k], piece.position(k), force);
     piece.setForce(k, force);
   }
-  const auto softest = static_cast<float>(settings_.softest), firm = static_cast<float>(settings_.firm);
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    const float held = std::max(softest, firmness[k]);
-    const float times = piece.daughter[k] ? std::max(1.0F, firm / held) : 1.0F;
     const float squared = piece.fx[k] * piece.fx[k] + piece.fy[k] * piece.fy[k] + piece.fz[k] * piece.fz[k];
-    piece.restlessness[k] = times * std::sqrt(squared);
+    piece.residual[k] = std::sqrt(squared) / (piece.stiffness[k] * piece.radius[k]);
   }
 }
 
@@ -281,8 +271,7 @@ void AgentForces::evaluatePieces(std::span<const Index> agents, const LoadsOf& l
     loadsOf(begin, ofPiece);
     const MotionPiece& piece = set(begin, ofPiece);
     for (std::size_t k = 0; k < ofPiece.size(); ++k)
-      if (!part.found && !std::isfinite(piece.restlessness[k]))
-        part = {true, agents[begin + k], piece.force(k)};
+      if (!part.found && !std::isfinite(piece.residual[k])) part = {true, agents[begin + k], piece.force(k)};
   });
   evaluations_ += agents.size();
   if (!bad.found) return;
@@ -360,7 +349,7 @@ void AgentForces::pressHeld() {
 void AgentForces::evaluateExactly(std::span<const Index> unsure, std::span<const Index> moving,
                                   const Take& take) {
   evaluateResting(spheres_.exact(), unsure, [&](std::size_t k, Index i, const AgentForce& on) {
-    residual_[i] = on.force.norm();
+    residual_[i] = on.residual;
     take(k, i, on);
   });
   pressHeld();

@@ -28,7 +28,6 @@ class AgentForces {
  public:
   struct Settings {
     double softest = 0;               ///< least stiffness an agent is given [N/m]
-    double firm = 0;                  ///< stiffness of contacts that hold a daughter firmly [N/m]
     double skin = 0;                  ///< how far beyond contact the neighbour list looks [m]
     std::optional<FixedScale> scale;  ///< of mixed precision; nothing for double precision
   };
@@ -49,7 +48,7 @@ class AgentForces {
   const AgentStore& agents() const { return agents_; }
   const NeighbourList& neighbours() const { return neighbours_; }
   const BondTable& bonds() const { return bonds_; }
-  /// The force on an agent, as evaluateExactly() last computed it [N].
+  /// AgentForce::residual of an agent, as evaluateExactly() last computed it.
   double residual(Index i) const { return residual_[i]; }
   std::uint64_t evaluations() const { return evaluations_; }  ///< forces computed, one an agent
 
@@ -67,9 +66,6 @@ class AgentForces {
   /// Brings the lists up to date after these agents did move; `cramped` are the places among them, ascending,
   /// of those that are.
   void updateLists(MovingAgents& moving, std::span<const Index> cramped);
-  /// Whether agents i and j, of which one is a daughter, are in range of each other; both are where the store
-  /// has them.
-  bool daughterInRange(Index i, Index j) const;
   /// Whether the k-th agent of a piece is in range of agent j, which is where the store has it.
   bool inRange(const MotionPiece& piece, std::size_t k, Index j) const;
 
@@ -134,7 +130,7 @@ class AgentForces {
 
   AgentSpheres spheres_;
   UnsureForces unsure_;           ///< since evaluateExactly()
-  std::vector<double> residual_;  ///< of the time of evaluateExactly() [N]
+  std::vector<double> residual_;  ///< of the time of evaluateExactly()
   std::vector<Index> free_;
   std::uint64_t evaluations_ = 0;
 };

@@ -8,9 +8,8 @@ namespace restenosis {
 struct AgentForce {
   Vec3 force = Vec3::Zero();  ///< what constraints leave of it [N]
   double stiffness = 0;       ///< sum of the slopes of its pair forces, never 0 once known [N/m]
-  /// The force, for a daughter times `firm` over the stiffness of her contacts, taken as `softest` at least,
-  /// where that is above 1 (AgentForces::Settings) [N].
-  double restlessness = 0;
+  /// How far the force would still move it: force over stiffness, over its radius.
+  double residual = 0;
 };
 
 /// An agent of the store as one that is about to move.

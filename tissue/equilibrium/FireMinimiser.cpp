@@ -70,8 +70,6 @@ void FireMinimiser::total(const MotionPiece& agents, std::size_t count, StepTota
   totals.force += ofForces.sum();
 }
 
-void FireMinimiser::setOutNearRest() { timeStep_ = largestTimeStep; }
-
 void FireMinimiser::begin(const StepTotals& totals) {
   const bool downhill = totals.power >= 0;
   if (!downhill) {

@@ -18,7 +18,6 @@ class FireMinimiser : public Minimiser {
   static constexpr std::string_view name = "fire";
   explicit FireMinimiser(const RelaxationParameters& parameters);
   void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const override;
-  void setOutNearRest() override;
   void begin(const StepTotals& totals) override;
   void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
 

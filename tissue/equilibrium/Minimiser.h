@@ -33,8 +33,6 @@ class Minimiser {
   virtual ~Minimiser() = default;
   /// Adds the `count` agents of a piece, changing none. For several threads.
   virtual void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const = 0;
-  /// Is told, before the first step, that agents are near rest: as long a step as any is safe then.
-  virtual void setOutNearRest() {}
   virtual void begin(const StepTotals& totals) = 0;
   /// Sets their moves, of at most stepLimit x radius each. For several threads, each agent once a step.
   virtual void step(MotionPiece& agents, std::size_t count, Moves& moves) const = 0;

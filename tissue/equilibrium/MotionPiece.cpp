@@ -4,7 +4,7 @@ namespace restenosis {
 
 void MotionPiece::setNow(std::size_t k, const AgentForce& now) {
   setForce(k, now.force);
-  stiffness[k] = static_cast<float>(now.stiffness), restlessness[k] = static_cast<float>(now.restlessness);
+  stiffness[k] = static_cast<float>(now.stiffness), residual[k] = static_cast<float>(now.residual);
 }
 
 void MotionPiece::set(std::size_t k, const AgentMotion& agent) {
@@ -19,7 +19,7 @@ void MotionPiece::copy(std::size_t k, const MotionPiece& from, std::size_t m) {
   x[k] = from.x[m], y[k] = from.y[m], z[k] = from.z[m];
   vx[k] = from.vx[m], vy[k] = from.vy[m], vz[k] = from.vz[m];
   fx[k] = from.fx[m], fy[k] = from.fy[m], fz[k] = from.fz[m];
-  stiffness[k] = from.stiffness[m], restlessness[k] = from.restlessness[m];
+  stiffness[k] = from.stiffness[m], residual[k] = from.residual[m];
   radius[k] = from.radius[m], leash[k] = from.leash[m], room[k] = from.room[m], way[k] = from.way[m];
   kind[k] = from.kind[m], daughter[k] = from.daughter[m];
 }

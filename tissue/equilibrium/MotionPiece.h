@@ -23,15 +23,15 @@ struct alignas(64) MotionPiece {
   using Doubles = std::array<double, most>;
   using Floats = std::array<float, most>;
 
-  Doubles x, y, z;      ///< [m]
-  Floats vx, vy, vz;    ///< velocity, the minimiser's own
-  Floats fx, fy, fz;    ///< AgentForce::force, where they are [N]
-  Floats stiffness;     ///< AgentForce::stiffness [N/m]
-  Floats restlessness;  ///< AgentForce::restlessness [N]
-  Floats radius;        ///< [m]
-  Floats leash;         ///< AgentMotion::leash [m]
-  Floats room;          ///< AgentMotion::room [m]
-  Floats way;           ///< come since those beside them were looked at [m]
+  Doubles x, y, z;    ///< [m]
+  Floats vx, vy, vz;  ///< velocity, the minimiser's own
+  Floats fx, fy, fz;  ///< AgentForce::force, where they are [N]
+  Floats stiffness;   ///< AgentForce::stiffness [N/m]
+  Floats residual;    ///< AgentForce::residual
+  Floats radius;      ///< [m]
+  Floats leash;       ///< AgentMotion::leash [m]
+  Floats room;        ///< AgentMotion::room [m]
+  Floats way;         ///< come since those beside them were looked at [m]
   std::array<AgentKind, most> kind;
   std::array<std::uint8_t, most> daughter;
 
@@ -43,7 +43,7 @@ struct alignas(64) MotionPiece {
     fz[k] = static_cast<float>(force.z());
   }
   AgentForce now(std::size_t k) const {
-    return {.force = force(k), .stiffness = stiffness[k], .restlessness = restlessness[k]};
+    return {.force = force(k), .stiffness = stiffness[k], .residual = residual[k]};
   }
   void setNow(std::size_t k, const AgentForce& now);
   /// Makes the k-th this agent, at rest; no force on it is known.

@@ -18,12 +18,10 @@
 
 namespace restenosis {
 
-class RelaxingAgents;
-
 /// What a relaxation did.
 struct RelaxationReport {
   int iterations = 0;
-  double residual = 0;                 ///< largest force left on a free agent over C r0^2
+  double residual = 0;                 ///< largest AgentForce::residual of a free agent
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
   bool converged = false;
 
@@ -43,21 +41,18 @@ struct RelaxationReport {
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
 /// names the settings to change.
 struct RelaxationFailed : std::runtime_error {
-  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst, double left)
-      : std::runtime_error(message), report(done), worstAgent(worst), force(left) {}
+  RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst)
+      : std::runtime_error(message), report(done), worstAgent(worst) {}
   RelaxationReport report;
   AgentId worstAgent;  ///< the farthest from rest
-  double force;        ///< left on it, over C r0^2
 };
 
-/// Moves agents to mechanical equilibrium (model 3): until the largest force on a free agent is below
-/// `tolerance` times C r0^2, no agent moving more than `stepLimit` of its radius in a step. A daughter whose
-/// contacts are less stiff than `firmStiffness` rests at less, in proportion.
+/// Moves agents to mechanical equilibrium (model 3): until the force left on no free agent would move it by
+/// more than `tolerance` of its radius, no agent moving more than `stepLimit` of its radius in a step.
 ///
 /// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
-/// unless these are many; the rest are checked before the relaxation ends. Before, the daughters around them
-/// move with them for a while, or tissue that grows would be left looser than it is in equilibrium. Results
-/// do not depend on the number of threads.
+/// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
+/// number of threads.
 class Relaxation {
  public:
   /// How far beyond contact the neighbour list looks, over the reference radius. Speed only: results do not
@@ -92,24 +87,18 @@ class Relaxation {
   /// relaxation then.
   void forget();
 
-  double characteristicForce() const { return characteristicForce_; }  ///< C r0^2 [N]
-
  private:
   /// What relaxAgain keeps from call to call.
   struct Standing;
   /// How to compute in mixed precision; nothing where double precision is asked for or needed.
   std::optional<FixedScale> mixedScale() const;
   RelaxationReport settle(Standing& standing) const;
-  /// Lets daughters around those that are awake move with them, for `yieldIterations`, and begins anew from
-  /// where they are then. Returns the iterations that took.
-  int yield(RelaxingAgents& relaxing) const;
 
   RelaxationParameters parameters_;
   std::function<void()> meanwhile_;
   ForceField field_;
   double contactModulus_;
   double referenceRadius_;
-  double characteristicForce_;
   NeighbourList neighbours_;            ///< kept between relaxations: speed only, no part of the state
   std::unique_ptr<Standing> standing_;  ///< likewise
 };

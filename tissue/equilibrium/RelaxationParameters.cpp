@@ -13,29 +13,17 @@ void RelaxationParameters::describe(ParameterVisitor& p) {
       precision, {"automatic", "mixed", "double"},
       {.key = "precision",
        .source = "assumed",
-       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 0.01 on"});
-  p.quantity(tolerance, {.key = "tolerance",
-                         .minimum = 1e-8,
-                         .maximum = 10,
-                         .source = "ISR3D",
-                         .description = "largest force left on an agent over C r0^2"});
-  p.quantity(
-      firmStiffness,
-      {.key = "firmStiffness",
-       .minimum = 0,
-       .maximum = 100,
-       .source = "assumed",
-       .description = "of contacts over C r0; daughters held less firmly rest at less force in proportion"});
-  p.boolean(sleeping, {.key = "sleeping",
-                       .source = "assumed",
-                       .description = "move only whom a disturbance reaches; without, all or none"});
-  p.integer(yieldIterations,
-            {.key = "yieldIterations",
-             .minimum = 0,
-             .maximum = 10000,
-             .source = "assumed",
-             .description = "iterations in which daughters around a disturbance move before those within "
-                            "their tolerance sleep; 0: they sleep at once"});
+       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 2e-4 on"});
+  p.quantity(tolerance,
+             {.key = "tolerance",
+              .minimum = 1e-9,
+              .maximum = 0.1,
+              .source = "assumed",
+              .description = "how far the force left on an agent may still move it (the force over "
+                             "the agent's stiffness), over its radius"});
+  p.boolean(activeSet, {.key = "activeSet",
+                        .source = "assumed",
+                        .description = "move only agents that a disturbance reaches; without, all or none"});
   p.quantity(stepLimit, {.key = "stepLimit",
                          .minimum = 1e-6,
                          .maximum = 0.5,

@@ -25,15 +25,9 @@ constexpr double wakingShare = 1.1;
 // not measured.
 constexpr std::size_t marksOverSorting = 256;
 
-// Sleepers beside an awake agent are looked at again once it has come so far that all its pair forces
-// together may have changed by this many tolerances, of which one pair has a small share. Looking at them
-// however little it moved takes a fifth more time of growth and leads to the same thickness; a way that is
-// the same for all misses the stiff agents of the wall (docs/developer/tried.md).
-constexpr double changeUntilLook = 3;
-
-// Daughters so many contacts from a disturbance yield to it. With one or two, two or one fifths of what is
-// gained by all daughters are missed; with three nothing, for two thirds of them (docs/developer/tried.md).
-constexpr int contactsAround = 3;
+// Sleepers beside an awake agent are looked at again once it has come so many tolerances, of its radius; all
+// that may have been disturbed are before the relaxation ends.
+constexpr double wayUntilLook = 1;
 
 }  // namespace
 
@@ -60,32 +54,6 @@ void RelaxingAgents::begin(std::unique_ptr<Minimiser> minimiser) {
   wakeAnyone();
 }
 
-bool RelaxingAgents::wakeDaughtersAround(std::unique_ptr<Minimiser> minimiser) {
-  const AgentStore& agents = forces_.agents();
-  std::vector<Index> around, front = awake_.agents;
-  for (int contacts = 0; contacts < contactsAround; ++contacts) {
-    front = gatherPieces(front.size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& next) {
-      for (std::size_t k = begin; k < end; ++k) {
-        // Listed ones out of range are left out, so that who wakes does not depend on the list.
-        const auto wanted = [&, i = front[k]](Index j) {
-          return agents.has(j, AgentFlag::daughter) && !isAwake_[j] && forces_.isFree(j) &&
-                 forces_.daughterInRange(i, j);
-        };
-        for (const Index j : forces_.neighbours().of(front[k])) take(j, wanted, next);
-      }
-    });
-    around.insert(around.end(), front.begin(), front.end());
-  }
-  if (around.empty()) return false;
-  minimiser_ = std::move(minimiser);
-  wakeWithForces(unmarkAll(std::move(around)));
-  return true;
-}
-
-void RelaxingAgents::placeAwake() {
-  forEachInChunks(awake_.size(), [&](std::size_t k) { forces_.place(awake_.agents[k], awake_.position(k)); });
-}
-
 void RelaxingAgents::advance() {
   minimiser_->begin(sight().totals);
   const std::vector<Index> cramped =
@@ -110,22 +78,16 @@ void RelaxingAgents::advance() {
 void RelaxingAgents::Sight::join(const Sight& other) {
   totals.join(other.totals);
   residual = std::max(residual, other.residual);
-  restlessness = std::max(restlessness, other.restlessness);
 }
 
 void RelaxingAgents::look(std::size_t begin, std::size_t end, Sight& part) {
   const MotionPiece& piece = awake_.pieceOf(begin);
   minimiser_->total(piece, end - begin, part.totals);
   using Values = MotionPiece::Values;
-  Values squared = 0, restlessness = 0;
-  for (std::size_t k = 0; k < end - begin; k += MotionPiece::lanes) {
-    const Values x = Values::from(&piece.fx[k]), y = Values::from(&piece.fy[k]),
-                 z = Values::from(&piece.fz[k]);
-    squared = squared.max(x * x + y * y + z * z);
-    restlessness = restlessness.max(Values::from(&piece.restlessness[k]));
-  }
-  part.residual = std::sqrt(squared.largest());
-  part.restlessness = restlessness.largest();
+  Values residual = 0;
+  for (std::size_t k = 0; k < end - begin; k += MotionPiece::lanes)
+    residual = residual.max(Values::from(&piece.residual[k]));
+  part.residual = residual.largest();
 }
 
 const RelaxingAgents::Sight& RelaxingAgents::sight() {
@@ -139,28 +101,28 @@ const RelaxingAgents::Sight& RelaxingAgents::sight() {
 bool RelaxingAgents::wakeDisturbed() {
   if (awake_.size() == forces_.free().size()) return false;
   const std::vector<Index> beside = sleepersBesideMovers();
-  RestlessPieces restless = piecesOf(beside.size());
+  DisturbedPieces disturbed = piecesOf(beside.size());
   forces_.evaluate(beside, [&](std::size_t k, Index j, const AgentForce& now) {
-    if (now.restlessness > wakingShare * tolerance_) restless[k / chunkSize].push_back({j, now});
+    if (now.residual > wakingShare * tolerance_) disturbed[k / chunkSize].push_back({j, now});
   });
   forces_.doubt(beside);
-  return wakeRestless(std::move(restless));
+  return wakeDisturbed(std::move(disturbed));
 }
 
 bool RelaxingAgents::wakeAnyone() {
   // Whose force is as it was when this was last asked has been woken then, if it was to be
   const std::vector<Index> unsure = forces_.unsure(awake_);
-  RestlessPieces restless = piecesOf(unsure.size());
+  DisturbedPieces disturbed = piecesOf(unsure.size());
   forces_.evaluateExactly(unsure, awake_.agents, [&](std::size_t k, Index i, const AgentForce& now) {
     if (isAwake_[i]) {
       awake_.setNow(placeOf(i), now);
-    } else if (now.restlessness > tolerance_) {
-      restless[k / chunkSize].push_back({i, now});
+    } else if (now.residual > tolerance_) {
+      disturbed[k / chunkSize].push_back({i, now});
     }
   });
   sight_.reset();
-  wakeRestless(std::move(restless));
-  return sight().restlessness > tolerance_;
+  wakeDisturbed(std::move(disturbed));
+  return sight().residual > tolerance_;
 }
 
 std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
@@ -170,7 +132,7 @@ std::vector<Index> RelaxingAgents::sleepersBesideMovers() {
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = awake_.agents[k];
       const std::size_t m = awake_.inPiece(k);
-      if (piece.way[m] * piece.stiffness[m] < changeUntilLook * tolerance_) continue;
+      if (piece.way[m] < wayUntilLook * tolerance_ * piece.radius[m]) continue;
       piece.way[m] = 0;
       // Listed ones out of range are left out, so that who is looked at does not depend on the list.
       const auto inRange = [&](Index j) { return asleep(j) && forces_.inRange(piece, m, j); };
@@ -196,19 +158,19 @@ bool RelaxingAgents::areFew(std::size_t agents) const {
          std::max(fewAgents, static_cast<std::size_t>(fewShare * static_cast<double>(forces_.free().size())));
 }
 
-bool RelaxingAgents::wakeRestless(RestlessPieces restless) {
+bool RelaxingAgents::wakeDisturbed(DisturbedPieces disturbed) {
   std::vector<Index> sleepers;
-  for (const auto& piece : restless)
-    for (const Restless& agent : piece) sleepers.push_back(agent.agent);
+  for (const auto& piece : disturbed)
+    for (const Disturbed& agent : piece) sleepers.push_back(agent.agent);
   if (sleepers.empty()) return false;
   if (!mayAnyoneSleep() || !areFew(awake_.size() + sleepers.size())) {
-    restless = {};  // its memory may be much, and that of all who move comes on top
+    disturbed = {};  // its memory may be much, and that of all who move comes on top
     wakeAllAsleep();
     return true;
   }
   wake(sleepers);
-  for (const auto& piece : restless)
-    for (const Restless& agent : piece) awake_.setNow(placeOf(agent.agent), agent.now);
+  for (const auto& piece : disturbed)
+    for (const Disturbed& agent : piece) awake_.setNow(placeOf(agent.agent), agent.now);
   return true;
 }
 
@@ -227,28 +189,22 @@ void RelaxingAgents::wakeWithForces(std::span<const Index> sleepers) {
                    [this](std::size_t, Index i, const AgentForce& now) { awake_.setNow(placeOf(i), now); });
 }
 
-bool RelaxingAgents::settled(double residual, double restlessness, double share) const {
-  return residual <= share * tolerance_ && restlessness <= std::max(share, calmShare) * tolerance_;
-}
-
-bool RelaxingAgents::allSettled(double share) {
-  return settled(sight().residual, sight().restlessness, share);
-}
+bool RelaxingAgents::allSettled(double share) { return settled(sight().residual, share); }
 
 void RelaxingAgents::retireSettled(double share) {
   if (!mayAnyoneSleep()) return;
-  std::vector<std::uint8_t> isRestless(awake_.size());
-  forEachInChunks(awake_.size(), [&](std::size_t k) { isRestless[k] = !settled(awake_.now(k), share); });
-  const auto restless = static_cast<std::size_t>(std::ranges::count(isRestless, 1));
-  if (restless == awake_.size() || !areFew(restless)) return;
+  std::vector<std::uint8_t> stays(awake_.size());
+  forEachInChunks(awake_.size(), [&](std::size_t k) { stays[k] = !settled(awake_.now(k).residual, share); });
+  const auto staying = static_cast<std::size_t>(std::ranges::count(stays, 1));
+  if (staying == awake_.size() || !areFew(staying)) return;
   forEachInChunks(awake_.size(), [&](std::size_t k) {
-    if (isRestless[k]) return;
+    if (stays[k]) return;
     isAwake_[awake_.agents[k]] = 0;
     forces_.place(awake_.agents[k], awake_.position(k));
   });
   std::size_t left = 0;
   for (std::size_t k = 0; k < awake_.size(); ++k) {
-    if (!isRestless[k]) continue;
+    if (!stays[k]) continue;
     if (left != k) awake_.copy(left, k);
     ++left;
   }
@@ -291,11 +247,11 @@ double RelaxingAgents::residual() const {
   return largest;
 }
 
-std::pair<Index, AgentForce> RelaxingAgents::mostRestless() const {
+Index RelaxingAgents::farthestFromRest() const {
   std::size_t worst = 0;
   for (std::size_t k = 1; k < awake_.size(); ++k)
-    if (awake_.now(k).restlessness > awake_.now(worst).restlessness) worst = k;
-  return {awake_.agents[worst], awake_.now(worst)};
+    if (awake_.now(k).residual > awake_.now(worst).residual) worst = k;
+  return awake_.agents[worst];
 }
 
 }  // namespace restenosis

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "tissue/agents/Chunks.h"
@@ -20,22 +19,13 @@ namespace restenosis {
 /// widespread disturbance, as a step of deployment, wakes all.
 class RelaxingAgents {
  public:
-  /// However small the force on it, a daughter that her contacts hold softly has not settled at a
-  /// restlessness above this share of the tolerance: it would wake again. Assumed.
-  static constexpr double calmShare = 0.7;
-
-  /// All are asleep. `tolerance` is the restlessness above which an agent is not at rest [N]. Without
+  /// All are asleep. `tolerance` is the residual above which an agent is not at rest. Without
   /// `sleeping` all are awake as soon as one is.
   RelaxingAgents(AgentForces& forces, double tolerance, bool sleeping);
 
   /// Sends everybody to sleep, computes all forces that may have changed and wakes the agents above the
   /// tolerance. `minimiser` moves them from now on.
   void begin(std::unique_ptr<Minimiser> minimiser);
-  /// Wakes the daughters that a few contacts lead to from awake agents; tells whether there were any. If so,
-  /// `minimiser` moves all that are awake from now on.
-  bool wakeDaughtersAround(std::unique_ptr<Minimiser> minimiser);
-  /// Tells the store where awake agents are, for another begin().
-  void placeAwake();
   /// One step of the awake agents, then the forces on them.
   void advance();
   /// Computes the forces on all sleeping agents in range of an awake one that has come some way since this
@@ -57,10 +47,10 @@ class RelaxingAgents {
   /// Computes in double precision all forces that may have changed since it did so last, and wakes the agents
   /// above the tolerance; tells whether there were any.
   bool wakeAnyone();
-  /// Largest residual of all free agents, as wakeAnyone() found it [N].
+  /// Largest residual of all free agents, as wakeAnyone() found it.
   double residual() const;
   /// The agent farthest from rest of those that are awake, of which there is one.
-  std::pair<Index, AgentForce> mostRestless() const;
+  Index farthestFromRest() const;
 
  private:
   /// The sleepers in range of an awake agent that has come some way, whose ways begin anew; in ascending
@@ -72,26 +62,23 @@ class RelaxingAgents {
   void take(Index i, const Wanted& wanted, std::vector<Index>& found);
   /// These agents, which are all that are marked, in ascending order and no more marked.
   std::vector<Index> unmarkAll(std::vector<Index> marked);
-  /// Whether an agent, or all of those with these largest values [N], has settled at this share of the
+  /// Whether an agent, or all of those with this largest residual, has settled at this share of the
   /// tolerance.
-  bool settled(double residual, double restlessness, double share) const;
-  bool settled(const AgentForce& on, double share) const {
-    return settled(on.force.norm(), on.restlessness, share);
-  }
+  bool settled(double residual, double share) const { return residual <= share * tolerance_; }
   /// Whether a disturbance of so many is a local one.
   bool areFew(std::size_t agents) const;
   /// An agent that is to wake, and the force on it.
-  struct Restless {
+  struct Disturbed {
     Index agent;
     AgentForce now;
   };
   /// Those found among agents that were looked at, one list for each piece of chunkSize of them.
-  using RestlessPieces = std::vector<std::vector<Restless>>;
-  static RestlessPieces piecesOf(std::size_t agents) {
-    return RestlessPieces((agents + chunkSize - 1) / chunkSize);
+  using DisturbedPieces = std::vector<std::vector<Disturbed>>;
+  static DisturbedPieces piecesOf(std::size_t agents) {
+    return DisturbedPieces((agents + chunkSize - 1) / chunkSize);
   }
   /// Wakes them; all, if many are awake then. Returns whether there were any.
-  bool wakeRestless(RestlessPieces restless);
+  bool wakeDisturbed(DisturbedPieces disturbed);
   void wakeAllAsleep();
   /// In ascending order. They set out with the forces of now, not of when they were last looked at.
   void wakeWithForces(std::span<const Index> sleepers);
@@ -102,15 +89,14 @@ class RelaxingAgents {
   /// What the forces on awake agents amount to.
   struct Sight {
     StepTotals totals;
-    double residual = 0;      ///< the largest [N]
-    double restlessness = 0;  ///< likewise
+    double residual = 0;  ///< the largest
     void join(const Sight& other);
   };
   void look(std::size_t begin, std::size_t end, Sight& part);
   /// Of all awake agents; found when their forces are computed, or now.
   const Sight& sight();
   AgentForces& forces_;
-  double tolerance_;  ///< [N]
+  double tolerance_;
   bool sleeping_;
   bool keepAwake_ = false;
 

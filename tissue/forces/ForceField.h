@@ -18,7 +18,6 @@ struct AgentLoad {
   double fx = 0, fy = 0, fz = 0;  ///< [N]
   double pressure = 0;   ///< minus a third of the trace of the virial stress [Pa]; compression positive
   double stiffness = 0;  ///< sum of the slopes of the acting pair forces [N/m]
-  double firmness = 0;  ///< what contacts are of it: unlike the rest of it, continuous in the positions [N/m]
 
   Vec3 force() const { return {fx, fy, fz}; }
 };

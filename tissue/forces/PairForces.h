@@ -90,7 +90,7 @@ class PairForces {
     const auto rests = rows.rests(group);
     const auto here = spheres_.at(self.data());
     const bool allBondsAlike = attraction_.axialFactor == 1;
-    Values fx = 0, fy = 0, fz = 0, virial = 0, firmness = 0, stiffness = 0, nearest2 = Real{1};
+    Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};
     for (std::size_t n = 0; n < lines.size(); ++n) {
       const Index* const partners = lines[n].agent.data() + lane;
       if (n + ahead < lines.size()) spheres_.fetch(lines[n + ahead].agent.data() + lane);
@@ -107,7 +107,6 @@ class PairForces {
       const Values distance = distance2.sqrt();
       Values push, slope;
       law_.evaluate((radii - distance).max(0), here.r * there.r / radii, push, slope);
-      firmness += slope;
       stiffness += slope;
 
       Values pull;
@@ -138,12 +137,9 @@ class PairForces {
     for (int k = 0; k < lanes; ++k) {
       apart &= nearest2[k] > 0;
       const double r = here.r[k];
-      loads[k] = {fx[k],
-                  fy[k],
-                  fz[k],
+      loads[k] = {fx[k], fy[k], fz[k],
                   virial[k] / (8 * std::numbers::pi * r * r * r),  // 2 (halves) x 3 (trace) x V
-                  stiffness[k],
-                  firmness[k]};
+                  stiffness[k]};
     }
     return apart;
   }

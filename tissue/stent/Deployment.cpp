@@ -20,13 +20,6 @@ std::span<double> vectorOf(std::vector<double>& values, Index i) {
   return std::span(values).subspan(3 * std::size_t{i}, 3);
 }
 
-/// To be brought to this share of the tolerance if the iterations suffice; a fixed effort stays what it is.
-RelaxationParameters aimingAt(double share, RelaxationParameters relaxation) {
-  if (!relaxation.stopAtMaximum) relaxation.tolerance *= share;
-  relaxation.stopAtMaximum = true;
-  return relaxation;
-}
-
 }  // namespace
 
 Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameters,
@@ -34,9 +27,8 @@ Deployment::Deployment(Wall& wall, Stent stent, const StentParameters& parameter
                        const RelaxationParameters& relaxation, int stepsDone)
     : wall_(wall),
       undeployed_(std::move(stent)),
-      mechanics_(mechanics),
-      asked_(relaxation),
-      relaxation_(mechanics, aimingAt(stepShare, relaxation), vessel.cellRadius),
+      bondStrainLimit_(mechanics.bondStrainLimit),
+      relaxation_(mechanics, relaxation, vessel.cellRadius),
       depth_(parameters.deploymentDepth),
       steps_(static_cast<int>(parameters.deploymentSteps)),
       stepsDone_(stepsDone) {
@@ -83,12 +75,7 @@ RelaxationReport Deployment::step() {
   const AgentStore& agents = wall_.agents;
   std::vector<double> moves = continueLastMove();
   placeStent();
-  RelaxationReport report = relax(relaxation_);
-  if (done() && !asked_.stopAtMaximum) {
-    relaxation_.forget();
-    Relaxation settling(mechanics_, aimingAt(settledShare, asked_), wall_.cellRadius);
-    report.goOnWith(relax(settling));
-  }
+  const RelaxationReport report = relax();
   for (Index i = 0; i < agents.size(); ++i) {
     const auto ofAgent = vectorOf(moves, i);
     const Vec3 move = agents.position(i) - Vec3::Map(ofAgent.data());
@@ -98,22 +85,13 @@ RelaxationReport Deployment::step() {
   return report;
 }
 
-RelaxationReport Deployment::relax(Relaxation& aimed) {
+RelaxationReport Deployment::relax() {
   const EndPlanes ends(wall_.length);
   const OuterConfinement outside(wall_.agents, wall_.cellRadius);
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};
-  const auto relaxBreaking = [&](Relaxation& by) {
-    RelaxationReport report = by.relax(wall_.agents, wall_.bonds, constraints);
-    while (breakStrainedBonds(wall_.agents, wall_.bonds, mechanics_.bondStrainLimit) > 0)
-      report.goOnWith(by.relax(wall_.agents, wall_.bonds, constraints));
-    return report;
-  };
-  RelaxationReport report = relaxBreaking(aimed);
-  if (!report.converged && !asked_.stopAtMaximum) {
-    // Less than was aimed at will do, but not less than the scene asks for
-    Relaxation asked(mechanics_, asked_, wall_.cellRadius);
-    report.goOnWith(relaxBreaking(asked));
-  }
+  RelaxationReport report = relaxation_.relax(wall_.agents, wall_.bonds, constraints);
+  while (breakStrainedBonds(wall_.agents, wall_.bonds, bondStrainLimit_) > 0)
+    report.goOnWith(relaxation_.relax(wall_.agents, wall_.bonds, constraints));
   return report;
 }
 

@@ -18,12 +18,6 @@ namespace restenosis {
 /// the number of steps done.
 class Deployment {
  public:
-  /// What `relaxation.tolerance` is multiplied by in each step, as in packing, and when the stent has
-  /// arrived. What a step leaves undone adds up: a wall that is free outside rests 1.2 um rms from its
-  /// equilibrium where every step is relaxed to the tolerance itself, 0.45 um with these
-  /// (docs/results/deployment.md).
-  static constexpr double stepShare = 0.5, settledShare = 0.1;
-
   /// Appends the obstacle agents of a stent, whose outer face is at the lumen's surface, to the wall, or, if
   /// it holds struts already (a wall read back after `stepsDone` steps), takes those over; they must be as
   /// many as the stent has. Before the first step, the EEL is fixed or freed as the stent's `outerLamina`
@@ -39,10 +33,7 @@ class Deployment {
   /// Depth of the outer face beyond the undeformed lumen after k steps [m].
   double depthAfter(int k) const;
 
-  /// Moves the stent by one step and relaxes the wall, again where bonds break: to `stepShare` of the
-  /// tolerance, after the last step to `settledShare`, or as far beyond the tolerance as the iterations lead.
-  /// With `relaxation.stopAtMaximum` the wall gets its fixed effort in each step and nothing else. Throws
-  /// RelaxationFailed where the tolerance itself is not reached.
+  /// Moves the stent by one step and relaxes the wall, again where bonds break. Throws RelaxationFailed.
   RelaxationReport step();
   /// All remaining steps; calls `progress` after each.
   void run(const std::function<void(const Deployment&, const RelaxationReport&)>& progress = {});
@@ -55,16 +46,15 @@ class Deployment {
   void attachStruts();
   void fixAgents(const StentParameters& parameters, const VesselParameters& vessel);
   void placeStent();
-  /// Relaxes the wall by this one, and to the tolerance itself if it does not get where it aims.
-  RelaxationReport relax(Relaxation& aimed);
+  /// Relaxes the wall, again where bonds break.
+  RelaxationReport relax();
   /// Moves the agents as the last step did. Returns where they were before, x, y, z by agent [m], in the
   /// memory of Wall::lastMove, which is empty until the step is over.
   std::vector<double> continueLastMove();
 
   Wall& wall_;
   Stent undeployed_, stent_;
-  MechanicsParameters mechanics_;
-  RelaxationParameters asked_;
+  double bondStrainLimit_;
   Relaxation relaxation_;
   double depth_;
   int steps_, stepsDone_;

@@ -95,12 +95,11 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   Wall wall = scatterWall(vessel, shape, seed, meanwhile);
   orderInSpace(wall);
 
-  // Packing always runs to equilibrium, and below the scene's tolerance, so that a wall at rest is at rest
-  // for the scene; what the scene says about effort and mobility is for its own deformations.
+  // Packing always runs to equilibrium: what the scene says about effort and mobility is for its own
+  // deformations.
   RelaxationParameters settings = asked;
   settings.minimiser = RelaxationParameters().minimiser;
   settings.axialForceFactor = 1;
-  settings.tolerance = asked.tolerance / 2;
   settings.maximumIterations = std::max<std::int64_t>(asked.maximumIterations, 20000);
   settings.stopAtMaximum = false;
   Relaxation relaxation(mechanics, settings, vessel.cellRadius);
@@ -111,11 +110,12 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
     } catch (const RelaxationFailed& failure) {
       throw RelaxationFailed(
           fmt::format(
-              "the packed wall did not come to rest: after {} iterations the force on agent {} is "
-              "still {:.3g} times C r0^2, and walls are packed to half of relaxation.tolerance = {}. "
-              "Choose a larger tolerance, relaxation.stepLimit (now {}) or relaxation.maximumIterations",
-              failure.report.iterations, failure.worstAgent, failure.force, asked.tolerance, asked.stepLimit),
-          failure.report, failure.worstAgent, failure.force);
+              "the packed wall did not come to rest: after {} iterations agent {} would still move by {:.3g} "
+              "of its radius, and relaxation.tolerance = {}. Choose a larger tolerance, relaxation.stepLimit "
+              "(now {}) or relaxation.maximumIterations",
+              failure.report.iterations, failure.worstAgent, failure.report.residual, asked.tolerance,
+              asked.stepLimit),
+          failure.report, failure.worstAgent);
     }
   };
 
