@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "bridge/coupling/World.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/foam/FoamRequirements.h"
 #include "bridge/flow/foam/FoamTemplate.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/scene/Units.h"
-#include "tissue/biology/Biology.h"
-#include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {
 namespace {
@@ -22,16 +18,16 @@ constexpr double largestLaminar = 2000;
 }  // namespace
 
 std::string noFlowBecause(const Scene& scene) {
+  return noFlowBecause(scene, ArrestRules(biologySettings(scene)));
+}
+
+std::string noFlowBecause(const Scene& scene, const ArrestRules& rules) {
   if (!scene.flow) return "no [flow]";
   if (scene.flow->backend == flowBackendNames::none) return "flow.backend is \"none\"";
   if (!scene.hasTissue()) return "";
-  if (!scene.endothelium) return "no [endothelium], so no rule reads wall shear stress";
+  if (!rules.readWss()) return "no [endothelium], so no rule reads wall shear stress";
   if (!scene.cellCycle) return "no [cellCycle], so nothing can be put to rest";
-  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
-  if (std::isinf(onset)) return "the endothelium never returns";
-  if (onset > scene.scene.duration)
-    return fmt::format("endothelium returns after the end of the run (day {:g})", onset / secondsPerDay);
-  return "";
+  return rules.readNoWssUntil(scene.scene.duration);
 }
 
 bool obeysPoiseuille(const Scene& scene) {

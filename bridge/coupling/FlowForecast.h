@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bridge/scene/Scene.h"
+#include "tissue/biology/ArrestRules.h"
 
 namespace restenosis {
 
@@ -19,7 +20,8 @@ std::string turbulenceForecast(const Scene& scene);
 /// scene has a flow.
 bool obeysPoiseuille(const Scene& scene);
 
-/// Why the flow of a scene is never solved, or empty.
+/// Why the flow of a scene is never solved, or empty. `rules`: those by which its cells rest.
+std::string noFlowBecause(const Scene& scene, const ArrestRules& rules);
 std::string noFlowBecause(const Scene& scene);
 
 }  // namespace restenosis

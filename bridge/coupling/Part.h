@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace restenosis {
@@ -37,6 +38,8 @@ struct Verdict {
 
   static Verdict run() { return {}; }
   static Verdict skip(std::string reason) { return {false, std::move(reason)}; }
+  /// No where there is a reason.
+  static Verdict unless(std::string_view reason) { return {reason.empty(), std::string(reason)}; }
 };
 
 /// A part of the coupled loop. It says what it reads and writes and what would change its answer; when it

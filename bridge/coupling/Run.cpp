@@ -339,7 +339,7 @@ void Run::buildSchedule() {
     auto flow = std::make_unique<FlowPart>(world_, std::move(backend));
     flowPart_ = flow.get();
     schedule_->add(std::move(flow));
-    if (scene_.endothelium) schedule_->add(std::make_unique<WallShearPart>(world_));
+    if (world_.biology.rules().readWss()) schedule_->add(std::make_unique<WallShearPart>(world_));
   }
   // Without flow there is none, but who is covered is part of the state all the same.
   if (scene_.endothelium) schedule_->add(std::make_unique<NitricOxidePart>(world_));

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "tissue/biology/Biology.h"
 
@@ -65,7 +64,7 @@ std::size_t cellsAfter(double time, const CellCycle& cycle, double sg2m, AgentId
 TEST(CellCycleExtremes, ASpreadWiderThanTheMeanNeverGivesANegativeLength) {
   CellCycleParameters parameters = phases(3600, 3600);
   parameters.g1Spread = 100 * 3600;
-  const CellCycle cycle(parameters, BiologySettings().seed, 3600, std::numeric_limits<double>::infinity());
+  const CellCycle cycle(parameters, BiologySettings().seed, 3600);
   for (AgentId id = 0; id < 1000; ++id) EXPECT_GE(cycle.drawG1Duration(id, 0), 0);
   const std::size_t cells = grow(parameters, 3600, 40).size();
   EXPECT_GT(cells, 1u);

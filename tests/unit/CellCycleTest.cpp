@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "tests/support/Constants.h"
 #include "tissue/biology/CellCycle.h"
@@ -12,6 +11,14 @@ namespace {
 using namespace support;
 
 const double fullRadius = r * std::cbrt(2.0);
+
+BiologySettings underEndothelium() {
+  BiologySettings settings;
+  settings.endothelium.emplace();
+  return settings;
+}
+
+const ArrestRules rules(underEndothelium());
 
 AgentStore oneCell() {
   AgentStore agents;
@@ -29,7 +36,7 @@ CellCycleParameters exactly(double g1, double sg2m) {
 }
 
 TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
-  const CellCycle cycle({}, 1, hour, never);
+  const CellCycle cycle({}, 1, hour);
   const int n = 20000;
   double sum = 0, squares = 0;
   for (int id = 0; id < n; ++id) {
@@ -49,7 +56,7 @@ TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
 TEST(CellCycle, RecruitsCellsOneAfterAnother) {
   CellCycleParameters parameters = exactly(16 * hour, 16 * hour);
   parameters.recruitment = 20 * hour;
-  const CellCycle cycle(parameters, 1, hour, never);
+  const CellCycle cycle(parameters, 1, hour);
   AgentStore agents;
   const Index cells = 4000, divided = cells;
   for (Index i = 0; i <= cells; ++i) {
@@ -59,7 +66,7 @@ TEST(CellCycle, RecruitsCellsOneAfterAnother) {
   agents.generation[divided] = 1;
   for (int step = 0; step < 20; ++step) {
     CycleReport report;
-    cycle.advance(agents, report, step * hour);
+    cycle.advance(agents, rules, report, step * hour);
     // Four standard deviations of a binomial with probability 1/20; daughters need no recruitment.
     EXPECT_NEAR(report.enteredG1, cells / 20 + (step == 0), 4 * std::sqrt(cells / 20.0));
   }
@@ -74,11 +81,11 @@ TEST(CellCycle, RecruitsCellsOneAfterAnother) {
 }
 
 TEST(CellCycle, GrowsExponentiallyToTwiceTheVolume) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   for (int step = 1; step <= 32; ++step) {
-    const auto dividing = cycle.advance(agents, report);
+    const auto dividing = cycle.advance(agents, rules, report);
     EXPECT_NEAR(agents.radius[0], r * std::exp2(std::min(step, 16) / 48.0), 1e-18) << step;
     EXPECT_EQ(agents.state[0], step < 16 ? CycleState::g1 : CycleState::sg2m) << step;
     EXPECT_EQ(dividing.size(), step == 32 ? 1u : 0u) << step;
@@ -90,12 +97,12 @@ TEST(CellCycle, GrowsExponentiallyToTwiceTheVolume) {
 }
 
 TEST(CellCycle, RestsWhereARuleForbidsIt) {
-  const CellCycle cycle({}, 1, hour, 0.001);
+  const CellCycle cycle({}, 1, hour);
   const auto rests = [&](auto change) {
     AgentStore agents = oneCell();
     change(agents);
     CycleReport report;
-    cycle.advance(agents, report);
+    cycle.advance(agents, rules, report);
     return agents.state[0] == CycleState::g0 && agents.radius[0] == r && report.enteredG1 == 0;
   };
   EXPECT_FALSE(rests([](AgentStore&) {}));
@@ -108,17 +115,17 @@ TEST(CellCycle, RestsWhereARuleForbidsIt) {
 }
 
 TEST(CellCycle, KeepsTheRadiusOfACellSentBackAndNeverInflatesIt) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   for (int round = 0; round < 10; ++round) {
     agents.set(0, inhibited, false);
-    for (int step = 0; step < 8; ++step) cycle.advance(agents, report);
+    for (int step = 0; step < 8; ++step) cycle.advance(agents, rules, report);
     EXPECT_EQ(agents.clock[0], 8 * hour);
     const double grown = agents.radius[0];
     EXPECT_NEAR(grown, std::min(fullRadius, r * std::exp2((round + 1) * 8 / 48.0)), 1e-18);
     agents.set(0, inhibited, true);
-    cycle.advance(agents, report);
+    cycle.advance(agents, rules, report);
     EXPECT_EQ(agents.state[0], CycleState::g0);
     EXPECT_EQ(agents.clock[0], 0);
     EXPECT_EQ(agents.radius[0], grown);
@@ -128,27 +135,27 @@ TEST(CellCycle, KeepsTheRadiusOfACellSentBackAndNeverInflatesIt) {
 }
 
 TEST(CellCycle, FinishesWhatItStartedAfterG1) {
-  const CellCycle cycle(exactly(2 * hour, 2 * hour), 1, hour, 0.001);
+  const CellCycle cycle(exactly(2 * hour, 2 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
-  cycle.advance(agents, report);
-  cycle.advance(agents, report);
+  cycle.advance(agents, rules, report);
+  cycle.advance(agents, rules, report);
   ASSERT_EQ(agents.state[0], CycleState::sg2m);
   agents.set(0, inhibited, true);
   agents.set(0, synthetic, false);
   agents.nitricOxide[0] = 1;
-  EXPECT_TRUE(cycle.advance(agents, report).empty());
-  EXPECT_EQ(cycle.advance(agents, report).size(), 1u);
+  EXPECT_TRUE(cycle.advance(agents, rules, report).empty());
+  EXPECT_EQ(cycle.advance(agents, rules, report).size(), 1u);
 }
 
 TEST(CellCycle, CarriesTheRestOfAStepIntoTheNextPhase) {
-  const CellCycle cycle(exactly(2.25 * hour, 1.5 * hour), 1, hour, never);
+  const CellCycle cycle(exactly(2.25 * hour, 1.5 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
-  for (int step = 0; step < 3; ++step) cycle.advance(agents, report);
+  for (int step = 0; step < 3; ++step) cycle.advance(agents, rules, report);
   EXPECT_EQ(agents.state[0], CycleState::sg2m);
   EXPECT_NEAR(agents.clock[0], 0.75 * hour, 1e-9);
-  EXPECT_EQ(cycle.advance(agents, report).size(), 1u);
+  EXPECT_EQ(cycle.advance(agents, rules, report).size(), 1u);
   EXPECT_NEAR(agents.clock[0], 0.25 * hour, 1e-9);
 }
 
@@ -157,15 +164,15 @@ TEST(CellCycle, PhasesThatAreWholeNumbersOfStepsTakeAsMany) {
   for (const double step : {0.1 * hour, 0.3 * hour, 0.7 * hour, 1.1 * hour}) {
     for (int g1 = 1; g1 <= 60; ++g1) {
       const int sg2m = 61 - g1;
-      const CellCycle cycle(exactly(g1 * step, sg2m * step), 1, step, never);
+      const CellCycle cycle(exactly(g1 * step, sg2m * step), 1, step);
       AgentStore agents = oneCell();
       CycleReport report;
-      for (int k = 1; k < g1; ++k) cycle.advance(agents, report);
+      for (int k = 1; k < g1; ++k) cycle.advance(agents, rules, report);
       EXPECT_NE(agents.state[0], CycleState::sg2m) << g1;
-      cycle.advance(agents, report);
+      cycle.advance(agents, rules, report);
       EXPECT_EQ(agents.state[0], CycleState::sg2m) << g1;
-      for (int k = 1; k < sg2m; ++k) EXPECT_TRUE(cycle.advance(agents, report).empty()) << g1;
-      EXPECT_EQ(cycle.advance(agents, report).size(), 1u) << g1;
+      for (int k = 1; k < sg2m; ++k) EXPECT_TRUE(cycle.advance(agents, rules, report).empty()) << g1;
+      EXPECT_EQ(cycle.advance(agents, rules, report).size(), 1u) << g1;
       EXPECT_GE(agents.clock[0], 0.0);
       EXPECT_LT(agents.clock[0], 1e-6 * step);
     }
@@ -173,17 +180,17 @@ TEST(CellCycle, PhasesThatAreWholeNumbersOfStepsTakeAsMany) {
 }
 
 TEST(CellCycle, LosesTheRestWhereTheNextCheckpointHoldsTheCell) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour, never);
+  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   agents.clock[0] = 0.5 * hour;
   agents.set(0, inhibited, true);
   CycleReport report;
-  cycle.advance(agents, report);
+  cycle.advance(agents, rules, report);
   EXPECT_EQ(agents.clock[0], 0);
 }
 
 TEST(CellCycle, ReturnsDividingCellsInTheOrderOfTheirIds) {
-  const CellCycle cycle(exactly(0, 0), 1, hour, never);
+  const CellCycle cycle(exactly(0, 0), 1, hour);
   AgentStore agents;
   for (int n = 0; n < 3; ++n) {
     agents.append(AgentKind::smc, Vec3::Zero(), r);
@@ -191,7 +198,7 @@ TEST(CellCycle, ReturnsDividingCellsInTheOrderOfTheirIds) {
   }
   agents.reorder(std::vector<Index>{2, 0, 1});
   CycleReport report;
-  EXPECT_EQ(cycle.advance(agents, report), (std::vector<Index>{1, 2, 0}));
+  EXPECT_EQ(cycle.advance(agents, rules, report), (std::vector<Index>{1, 2, 0}));
 }
 
 }  // namespace

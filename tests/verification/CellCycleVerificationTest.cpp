@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "tests/support/Constants.h"
@@ -22,6 +21,8 @@ AgentStore syntheticCells(Index n) {
   return agents;
 }
 
+const ArrestRules rules{BiologySettings{}};
+
 /// The moment a cell divided is the end of the step less what the step left over.
 class CellCycleStep : public ::testing::TestWithParam<double> {};
 
@@ -29,7 +30,7 @@ TEST_P(CellCycleStep, MeanTimeToTheFourthDivisionIsFourTimesBothPhases) {
   const double step = GetParam() * hour;
   const Index n = 4000;
   const std::uint32_t generations = 4;
-  const CellCycle cycle({}, 11, step, never);
+  const CellCycle cycle({}, 11, step);
   const Division division(11, 0.4);
   AgentStore agents = syntheticCells(n);
   BondTable bonds;
@@ -38,7 +39,7 @@ TEST_P(CellCycleStep, MeanTimeToTheFourthDivisionIsFourTimesBothPhases) {
   Index done = 0;
   CycleReport report;
   for (int k = 1; done < n; ++k) {
-    const auto mothers = cycle.advance(agents, report);
+    const auto mothers = cycle.advance(agents, rules, report);
     division.divide(agents, bonds, mothers);
     for (const Index mother : mothers) {
       if (agents.generation[mother] != generations) continue;
@@ -69,14 +70,14 @@ TEST_P(CellCycleStep, PopulationDoublesEveryCycleExactly) {
   parameters.g1Mean = 16.3 * hour;
   parameters.g1Spread = 0;
   parameters.sg2mDuration = 15.4 * hour;
-  const CellCycle cycle(parameters, 1, step * hour, never);
+  const CellCycle cycle(parameters, 1, step * hour);
   const Division division(1, 0.4);
   AgentStore agents = syntheticCells(3);
   BondTable bonds;
   bonds.resize(3);
   CycleReport report;
   for (int k = 1; k * step < 300; ++k) {
-    division.divide(agents, bonds, cycle.advance(agents, report));
+    division.divide(agents, bonds, cycle.advance(agents, rules, report));
     EXPECT_EQ(agents.size(), 3u << static_cast<int>(std::floor(k * step / 31.7 + 1e-9)))
         << "hour " << k * step;
   }

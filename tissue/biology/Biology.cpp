@@ -14,15 +14,14 @@ ContactInhibition makeInhibition(const BiologySettings& settings) {
 
 }  // namespace
 
-Biology::Biology(const BiologySettings& settings) : inhibition_(makeInhibition(settings)) {
+Biology::Biology(const BiologySettings& settings, std::span<const MakeArrestRule> rules)
+    : rules_(settings, rules), inhibition_(makeInhibition(settings)) {
   if (settings.endothelium) {
     endothelium_.emplace(*settings.endothelium, settings.seed, settings.denuded);
     nitricOxide_.emplace(*settings.endothelium);
   }
   if (settings.cellCycle) {
-    const double threshold =
-        nitricOxide_ ? nitricOxide_->threshold() : std::numeric_limits<double>::infinity();
-    cycle_.emplace(*settings.cellCycle, settings.seed, settings.step, threshold);
+    cycle_.emplace(*settings.cellCycle, settings.seed, settings.step);
     division_.emplace(settings.seed, settings.cellCycle->daughterDisplacement);
   }
 }
@@ -38,7 +37,7 @@ void Biology::updateNitricOxide(AgentStore& agents) const {
 CycleReport Biology::advanceCycle(AgentStore& agents, BondTable& bonds, double time) const {
   CycleReport report;
   if (!cycle_) return report;
-  const auto mothers = cycle_->advance(agents, report, time);
+  const auto mothers = cycle_->advance(agents, rules_, report, time);
   division_->divide(agents, bonds, mothers);
   report.divisions = static_cast<Index>(mothers.size());
   return report;

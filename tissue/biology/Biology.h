@@ -1,35 +1,20 @@
 #pragma once
 
-#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include "tissue/agents/AgentStore.h"
 #include "tissue/agents/BondTable.h"
+#include "tissue/biology/ArrestRules.h"
+#include "tissue/biology/BiologySettings.h"
 #include "tissue/biology/CellCycle.h"
-#include "tissue/biology/CellCycleParameters.h"
 #include "tissue/biology/ContactInhibition.h"
-#include "tissue/biology/ContactInhibitionParameters.h"
 #include "tissue/biology/Division.h"
 #include "tissue/biology/Endothelium.h"
-#include "tissue/biology/EndotheliumParameters.h"
 #include "tissue/biology/NitricOxide.h"
-#include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
-
-/// What a scene says of biology. A section that is absent is not modelled: without the cycle nothing divides,
-/// without contact inhibition nothing is inhibited, without endothelium there is no coverage and no nitric
-/// oxide.
-struct BiologySettings {
-  std::optional<CellCycleParameters> cellCycle;
-  std::optional<ContactInhibitionParameters> contactInhibition;
-  std::optional<EndotheliumParameters> endothelium;
-  bool denuded = true;  ///< whether deployment stripped the endothelium; else it covers all from the start
-  std::uint64_t seed = 1;
-  double step = 3600;       ///< biological step [s]
-  double vesselLength = 0;  ///< [m]; 0: no ends
-};
 
 /// The biological rules of a scene (model 5 to 7), in the parts that a step calls in the order of model 9:
 /// updateEndothelium, updateNitricOxide, updateInhibition, advanceCycle. Endothelium settles on cells that
@@ -38,7 +23,8 @@ struct BiologySettings {
 class Biology {
  public:
   /// Throws std::invalid_argument for an unknown law or scenario and for nitric oxide that falls with WSS.
-  explicit Biology(const BiologySettings& settings);
+  explicit Biology(const BiologySettings& settings,
+                   std::span<const MakeArrestRule> rules = arrestRuleTable());
 
   bool hasCycle() const { return cycle_.has_value(); }
   bool hasEndothelium() const { return endothelium_.has_value(); }
@@ -56,10 +42,11 @@ class Biology {
   CycleReport advanceCycle(AgentStore& agents, BondTable& bonds,
                            double time = std::numeric_limits<double>::infinity()) const;
 
-  /// Time of the first coverage [s]; infinity where there is never any. Before it no rule reads WSS.
+  /// The rules by which cells rest, and who reads wall shear stress through them.
+  const ArrestRules& rules() const { return rules_; }
+  /// Time of the first coverage [s]; infinity where there is never any.
   double endotheliumOnset() const;
-  /// WSS [Pa] at which a covered cell is sent to rest; infinity without endothelium. While every covered cell
-  /// stays on its side of it, flow changes no cell's state.
+  /// WSS [Pa] at which a covered cell is sent to rest; infinity without endothelium.
   double arrestingWss() const;
 
   /// The state that is not in the agents: part of a checkpoint.
@@ -69,6 +56,7 @@ class Biology {
   }
 
  private:
+  ArrestRules rules_;
   ContactInhibition inhibition_;
   std::optional<Endothelium> endothelium_;
   std::optional<NitricOxide> nitricOxide_;

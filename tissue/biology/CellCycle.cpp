@@ -18,9 +18,8 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
-                     double nitricOxideThreshold)
-    : p_(parameters), seed_(seed), step_(step), nitricOxideThreshold_(nitricOxideThreshold) {}
+CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step)
+    : p_(parameters), seed_(seed), step_(step) {}
 
 double CellCycle::drawG1Duration(AgentId id, std::uint32_t generation) const {
   RandomStream random(seed_, id, generation, RandomPurpose::g1Duration);
@@ -29,22 +28,20 @@ double CellCycle::drawG1Duration(AgentId id, std::uint32_t generation) const {
   return std::max(0.0, p_.g1Mean + p_.g1Spread * deviate);
 }
 
-double CellCycle::drawRecruitment(AgentId id) const {
-  return RandomStream(seed_, id, 0, RandomPurpose::recruitment).uniform() * p_.recruitment;
+double CellCycle::drawShareOfRecruitment(AgentId id) const {
+  return RandomStream(seed_, id, 0, RandomPurpose::recruitment).uniform();
 }
 
-bool CellCycle::mayCycle(const AgentStore& agents, Index i) const {
-  return agents.has(i, synthetic) && !agents.has(i, inhibited) &&
-         agents.nitricOxide[i] < nitricOxideThreshold_;
-}
+double CellCycle::drawRecruitment(AgentId id) const { return drawShareOfRecruitment(id) * p_.recruitment; }
 
-std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) const {
+std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRules& rules,
+                                    double time) const {
   std::uint8_t passed = 0;
   const auto pass = [&passed](Passage passage) { passed |= static_cast<std::uint8_t>(passage); };
   double& clock = agents.clock[i];
   double left = step_;
 
-  if (agents.state[i] != CycleState::sg2m && !mayCycle(agents, i)) {
+  if (obeysRules(agents, i) && rules.arrest(agents, i)) {
     if (agents.state[i] == CycleState::g1) pass(Passage::arrested);
     agents.state[i] = CycleState::g0;
     clock = 0;
@@ -52,7 +49,9 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) co
   }
   if (agents.state[i] == CycleState::g0) {
     if (time < p_.recruitment && agents.generation[i] == 0) {
-      left = std::min(left, time + step_ - drawRecruitment(agents.id[i]));
+      // From then to the end of the step. One rounding, whether or not the compiler inlines the draw.
+      const double since = std::fma(-drawShareOfRecruitment(agents.id[i]), p_.recruitment, time + step_);
+      left = std::min(left, since);
       if (left <= 0) return passed;
     }
     left += clock;
@@ -86,14 +85,15 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, double time) co
   return passed;
 }
 
-std::vector<Index> CellCycle::advance(AgentStore& agents, CycleReport& report, double time) const {
+std::vector<Index> CellCycle::advance(AgentStore& agents, const ArrestRules& rules, CycleReport& report,
+                                      double time) const {
   // Each cell reads and writes itself only, so the order in which cells are taken cannot matter.
   std::vector<std::uint8_t> passed(agents.size(), 0);
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const auto i = static_cast<Index>(k);
-    if (agents.kind[i] != AgentKind::smc || agents.has(i, fixed)) return;
+    if (!takes(agents, i)) return;
     const double radius = agents.radius[i];
-    passed[i] = advanceCell(agents, i, time);
+    passed[i] = advanceCell(agents, i, rules, time);
     if (agents.radius[i] != radius) passed[i] |= static_cast<std::uint8_t>(Passage::grew);
   });
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tissue/agents/AgentStore.h"
+#include "tissue/biology/ArrestRules.h"
 #include "tissue/biology/CellCycleParameters.h"
 
 namespace restenosis {
@@ -20,11 +21,10 @@ struct CycleReport {
 
 /// The cell cycle of the free SMC (model 5): G0 -> G1 (growth) -> S/G2/M -> division.
 ///
-/// At the checkpoint G0 -> G1 and in G1 a cell rests unless it is synthetic, not inhibited and below the
-/// nitric oxide threshold; a cell sent back to G0 keeps its radius and length of G1, its clock starts again.
-/// From S on no rule applies. In G1 the radius grows as r <- r 2^(dt / (3 T)), T the cell's length of G1, up
-/// to twice the volume at birth, and is exactly that at its end. Agents flagged `fixed` hold the ends of the
-/// vessel and do not cycle.
+/// At the checkpoint G0 -> G1 and in G1 a cell rests while a rule arrests it (ArrestRules); a cell sent back
+/// to G0 keeps its radius and length of G1, its clock starts again. From S on no rule applies. In G1 the
+/// radius grows as r <- r 2^(dt / (3 T)), T the cell's length of G1, up to twice the volume at birth, and is
+/// exactly that at its end. Agents flagged `fixed` hold the ends of the vessel and do not cycle.
 ///
 /// Recruitment: injury does not wake all cells in the same hour. A cell that never divided may leave G0 only
 /// after a moment of its own within `recruitment`; without it (0, the model as published) all go through
@@ -37,16 +37,23 @@ struct CycleReport {
 /// that lacks less than 1e-9 of its length and of a step has ended: what lacks is rounding.
 class CellCycle {
  public:
-  /// `step` [s] is the biological step. `nitricOxideThreshold` [nmol/mm^3]; infinity where there is no
-  /// endothelium.
-  CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
-            double nitricOxideThreshold);
+  /// `step` [s] is the biological step.
+  CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step);
 
   /// Takes every cell through the step that begins at `time` [s] after deployment; only recruitment reads the
   /// time, and by default it is over. Returns the cells that are to divide, in ascending order of their
   /// ids, their clocks holding what the step left over; the caller divides them (Division).
-  std::vector<Index> advance(AgentStore& agents, CycleReport& report,
+  std::vector<Index> advance(AgentStore& agents, const ArrestRules& rules, CycleReport& report,
                              double time = std::numeric_limits<double>::infinity()) const;
+
+  /// Whether the cycle takes this agent through its phases: a smooth muscle cell that is free to move.
+  static bool takes(const AgentStore& agents, Index i) {
+    return agents.kind[i] == AgentKind::smc && !agents.has(i, fixed);
+  }
+  /// Of these, whether it is where rules apply: before S.
+  static bool obeysRules(const AgentStore& agents, Index i) {
+    return takes(agents, i) && agents.state[i] != CycleState::sg2m;
+  }
 
   /// Length of G1 [s]: normal, truncated at three standard deviations and at zero, drawn by (seed, id,
   /// generation).
@@ -59,13 +66,12 @@ class CellCycle {
  private:
   enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8, grew = 16 };
 
-  bool mayCycle(const AgentStore& agents, Index i) const;
-  std::uint8_t advanceCell(AgentStore& agents, Index i, double time) const;
+  double drawShareOfRecruitment(AgentId id) const;
+  std::uint8_t advanceCell(AgentStore& agents, Index i, const ArrestRules& rules, double time) const;
 
   CellCycleParameters p_;
   std::uint64_t seed_;
   double step_;
-  double nitricOxideThreshold_;
 };
 
 }  // namespace restenosis

@@ -14,6 +14,17 @@ constexpr double timeBetweenOrderings = secondsPerDay;  // [s]
 
 }  // namespace
 
+std::vector<Quantity> CyclePart::reads() const {
+  std::vector<Quantity> quantities{Quantity::exposure, Quantity::nitricOxide};
+  if (world_.biology.rules().readWss()) quantities.push_back(Quantity::wallShearStress);
+  return quantities;
+}
+
+Verdict CyclePart::needs(Quantity quantity, const Instant&) const {
+  if (quantity != Quantity::wallShearStress) return Verdict::run();
+  return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
+}
+
 void CyclePart::run(const Instant& now) {
   auto measurement = world_.timer.measure("biology");
   const auto steps = std::max(1L, std::lround(timeBetweenOrderings / world_.scene.scene.step));

@@ -10,10 +10,12 @@ class CyclePart : public Part {
  public:
   explicit CyclePart(World& world) : world_(world) {}
   std::string_view name() const override { return "cycle"; }
-  std::vector<Quantity> reads() const override { return {Quantity::exposure, Quantity::nitricOxide}; }
+  std::vector<Quantity> reads() const override;
   std::vector<Quantity> writes() const override { return {Quantity::cellStates}; }
   bool isPurpose(const Instant&) const override { return true; }
   bool appliesAt(const Instant& now) const override { return !now.last; }
+  /// Wall shear stress is needed where it can turn a rule's answer (ArrestRules).
+  Verdict needs(Quantity quantity, const Instant& now) const override;
   void run(const Instant& now) override;
 
  private:

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bridge/coupling/FlowForecast.h"
-#include "bridge/coupling/StressReaders.h"
 #include "bridge/flow/PoiseuilleError.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/scene/SceneFingerprint.h"
@@ -40,8 +39,7 @@ Verdict FlowPart::inputsChanged(const Instant&) const {
 double FlowPart::undecidedShareMoved() const {
   const CouplingParameters& coupling = world_.scene.coupling;
   const AgentStore& agents = world_.wall.agents;
-  if (!world_.biology.hasEndothelium()) return 0;
-  const auto cells = undecidedCells(agents, world_.biology.arrestingWss(), coupling.undecidedMargin);
+  const auto cells = world_.biology.rules().undecidedCells(agents, coupling.undecidedMargin);
   const auto moved = std::ranges::count_if(cells, [&](Index cell) {
     const Vec3 at = agents.position(cell);
     return std::abs(world_.lumen.present.radiusAt(at) - world_.lumen.atLastFlow.radiusAt(at)) >

@@ -13,8 +13,8 @@ namespace restenosis {
 
 /// Solves blood flow in the present lumen (model 8). It is due when 1 % of the lumen has moved by more than
 /// the tolerance, or when it has moved that far at more than a share of the cells that a change of their
-/// stress may send to rest or wake (undecidedCells): these are few, and stand where the tissue grows. And
-/// when the last solve was made with other settings, by a run that was then resumed.
+/// stress may send to rest or wake (ArrestRules::undecidedCells): these are few, and stand where the tissue
+/// grows. And when the last solve was made with other settings, by a run that was then resumed.
 class FlowPart : public Part {
  public:
   FlowPart(World& world, std::unique_ptr<FlowBackend> backend);

@@ -1,20 +1,10 @@
 #include "bridge/coupling/parts/NitricOxidePart.h"
 
-#include "bridge/coupling/StressReaders.h"
-
 namespace restenosis {
 
 Verdict NitricOxidePart::needs(Quantity quantity, const Instant&) const {
   if (quantity != Quantity::wallShearStress) return Verdict::run();
-  const AgentStore& agents = world_.wall.agents;
-  bool anyCovered = false;
-  for (Index i = 0; i < agents.size(); ++i) {
-    if (agents.kind[i] != AgentKind::smc || !agents.has(i, covered)) continue;
-    anyCovered = true;
-    if (readsStress(agents, i)) return Verdict::run();
-  }
-  return Verdict::skip(anyCovered ? "every covered cell rests or divides whatever its wall shear stress"
-                                  : "no cell is covered by endothelium");
+  return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
 }
 
 void NitricOxidePart::run(const Instant&) {

@@ -12,7 +12,7 @@ class NitricOxidePart : public Part {
   std::string_view name() const override { return "nitricOxide"; }
   std::vector<Quantity> reads() const override { return {Quantity::wallShearStress, Quantity::coverage}; }
   std::vector<Quantity> writes() const override { return {Quantity::nitricOxide}; }
-  /// Wall shear stress decides nothing unless a covered cell would otherwise cycle.
+  /// Wall shear stress is needed where it can turn a rule's answer (ArrestRules).
   Verdict needs(Quantity quantity, const Instant& now) const override;
   void run(const Instant& now) override;
 

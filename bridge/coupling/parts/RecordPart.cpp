@@ -21,9 +21,11 @@ std::vector<Quantity> RecordPart::reads() const {
 }
 
 Verdict RecordPart::needs(Quantity quantity, const Instant& now) const {
-  // Where there is tissue, flow is a means to its growth; without, it is what the scene is about.
+  // Where there is tissue, flow is a means to its growth, and what its rules need is what is recorded;
+  // without, flow is what the scene is about.
   const bool flow = quantity == Quantity::wallTraction || quantity == Quantity::wallShearStress;
-  if (flow && world_.scene.hasTissue()) return Verdict::skip("no rule reads wall shear stress");
+  if (flow && world_.scene.hasTissue())
+    return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
   return now.recorded ? Verdict::run() : Verdict::skip("nothing is recorded in this step");
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+#include "tissue/biology/ArrestRule.h"
+#include "tissue/biology/BiologySettings.h"
+
+namespace restenosis {
+
+/// A cell that ContactInhibition found inhibited rests (model 6). Without contact inhibition there is none.
+class InhibitionArrest : public ArrestRule {
+ public:
+  static std::unique_ptr<const ArrestRule> make(const BiologySettings&) {
+    return std::make_unique<InhibitionArrest>();
+  }
+  bool arrests(const AgentStore& agents, Index cell) const override { return agents.has(cell, inhibited); }
+};
+
+}  // namespace restenosis

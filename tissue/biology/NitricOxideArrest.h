@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+
+#include "tissue/biology/ArrestRule.h"
+#include "tissue/biology/BiologySettings.h"
+#include "tissue/biology/Endothelium.h"
+#include "tissue/biology/NitricOxide.h"
+
+namespace restenosis {
+
+/// A cell rests whose endothelium makes enough nitric oxide of its wall shear stress (model 7).
+class NitricOxideArrest : public ArrestRule {
+ public:
+  /// Null without endothelium.
+  static std::unique_ptr<const ArrestRule> make(const BiologySettings& settings);
+  NitricOxideArrest(const EndotheliumParameters& parameters, double endotheliumOnset);
+
+  bool arrests(const AgentStore& agents, Index cell) const override {
+    return agents.nitricOxide[cell] >= law_.threshold();
+  }
+  bool readsWss() const override { return true; }
+  /// Bare cells have no nitric oxide.
+  bool readsWssOf(const AgentStore& agents, Index cell) const override { return agents.has(cell, covered); }
+  double decidingWss() const override { return law_.wssForNitricOxide(law_.threshold()); }
+  std::string readsNoWssUntil(double time) const override;
+  std::string_view whenNoCellReads() const override { return "no cell is covered by endothelium"; }
+  std::string_view whenAllAreDecided() const override {
+    return "every covered cell rests or divides whatever its wall shear stress";
+  }
+
+ private:
+  NitricOxide law_;
+  double onset_;  ///< of coverage [s]
+};
+
+}  // namespace restenosis
