@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bridge/coupling/Instant.h"
+
 namespace restenosis {
 
 /// What the parts of the loop hand to each other.
@@ -19,15 +21,6 @@ enum class Quantity : std::uint8_t {
   wallShearStress,  ///< on cells
   nitricOxide,      ///< of cells
   record            ///< what is written for the user
-};
-
-/// Which biological step is being made.
-struct Instant {
-  std::uint32_t step = 0;  ///< steps made before this one
-  double time = 0;         ///< at the start of the step [s]
-  bool recorded = false;   ///< whether the state is recorded in this step
-  bool endsDay = false;    ///< whether a day of growth is over: see LumenPart
-  bool last = false;  ///< whether the run ends here: the state is brought up to date, but not carried further
 };
 
 /// An answer to "must this run?", with the reason that is counted and shown when it is no. Reasons are

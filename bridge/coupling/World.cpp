@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bridge/scene/SceneFingerprint.h"
 #include "bridge/surface/CylinderSurface.h"
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/LumenSurface.h"
@@ -30,6 +31,16 @@ RadialMap tubeMap(const VesselParameters& vessel) {
 
 World::World(const Scene& s, const ResultsFolder& f, Progress& p)
     : scene(s), folder(f), progress(p), wall(emptyWall(s.vessel)), biology(biologySettings(s)) {}
+
+void World::remark(const std::string& text) {
+  if (text.empty()) return;
+  remarks.push_back(text);
+  progress.message(text);
+}
+
+bool World::lastFlowHasTheseSettings() const {
+  return flow.solves == 0 || flow.settings == flowSettings(scene);
+}
 
 void World::takeLumen() {
   if (hasLoadedLumen()) return;  // it never changes, and has no axis to see it from

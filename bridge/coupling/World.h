@@ -103,6 +103,10 @@ struct World {
   /// Case of the last solve that the checkpoint knows; empty for none. A resumed run may need it.
   std::filesystem::path caseInCheckpoint;
 
+  /// Adds a remark, if there is one, and says it.
+  void remark(const std::string& text);
+  /// Whether the last flow was solved with the settings of the scene. True before the first.
+  bool lastFlowHasTheseSettings() const;
   /// The triangulated lumen of when updateLumen was last called; after a resumption, of the present agents.
   /// Throws Occluded.
   const TriSurface& lumenSurface();

@@ -1,5 +1,6 @@
 #include "tissue/stent/InjuryParameters.h"
 
+#include <algorithm>
 #include <array>
 
 #include "tissue/parameters/NamedTable.h"
@@ -18,6 +19,14 @@ bool InjuryParameters::everyCellSynthetic() const {
 
 bool InjuryParameters::denuded() const {
   return findNamed(denudations, "injury.denudation", denudation).value;
+}
+
+bool InjuryParameters::sparesIel(bool stented) const {
+  // Limits that the IEL is past as it is packed
+  const bool anyStrain =
+      stretchedStrain == 0 || (ielBreaks && std::min(strainLimitAround, strainLimitAlong) == 0);
+  const bool anyStress = ielBreaks && stressLimit > 0;
+  return !(removeIel || stented || anyStrain || anyStress);
 }
 
 void InjuryParameters::describe(ParameterVisitor& p) {

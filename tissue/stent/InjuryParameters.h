@@ -30,6 +30,8 @@ struct InjuryParameters {
   /// theirs.
   bool everyCellSynthetic() const;
   bool denuded() const;
+  /// Whether the IEL of a packed wall stays whole, with or without a stent.
+  bool sparesIel(bool stented) const;
 };
 
 }  // namespace restenosis

@@ -14,6 +14,16 @@ constexpr double timeBetweenOrderings = secondsPerDay;  // [s]
 
 }  // namespace
 
+std::vector<PlannedPart> CyclePart::explain(const Scene& scene) {
+  const bool runs = scene.cellCycle.has_value();
+  return {{"cell cycle", runs, runs ? "in every step" : "no [cellCycle]"}};
+}
+
+std::unique_ptr<CyclePart> CyclePart::make(const PartContext& context) {
+  if (!context.world.scene.cellCycle) return nullptr;
+  return std::make_unique<CyclePart>(context.world);
+}
+
 std::vector<Quantity> CyclePart::reads() const {
   std::vector<Quantity> quantities{Quantity::exposure, Quantity::nitricOxide};
   if (world_.biology.rules().readWss()) quantities.push_back(Quantity::wallShearStress);

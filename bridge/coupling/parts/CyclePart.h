@@ -1,13 +1,16 @@
 #pragma once
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 
 namespace restenosis {
 
 /// Takes the cells through one step of their cycle: growth, rest, division (model 5).
 class CyclePart : public Part {
  public:
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<CyclePart> make(const PartContext& context);
   explicit CyclePart(World& world) : world_(world) {}
   std::string_view name() const override { return "cycle"; }
   std::vector<Quantity> reads() const override;

@@ -1,6 +1,29 @@
 #include "bridge/coupling/parts/EndotheliumPart.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tissue/parameters/SecondsPerDay.h"
+
 namespace restenosis {
+
+std::vector<PlannedPart> EndotheliumPart::explain(const Scene& scene) {
+  const auto say = [](bool runs, const std::string& text) {
+    return std::vector<PlannedPart>{{"endothelium", runs, text}};
+  };
+  if (!scene.endothelium) return say(false, "no [endothelium], so no nitric oxide");
+  if (!scene.cellCycle) return say(false, "no [cellCycle]");
+  const std::string& scenario = scene.endothelium->scenario;
+  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
+  if (std::isinf(onset)) return say(false, fmt::format("\"{}\": it never returns", scenario));
+  return say(true, fmt::format("\"{}\", in every step from day {:g}", scenario, onset / secondsPerDay));
+}
+
+std::unique_ptr<EndotheliumPart> EndotheliumPart::make(const PartContext& context) {
+  if (!context.world.scene.endothelium) return nullptr;
+  return std::make_unique<EndotheliumPart>(context.world);
+}
 
 Verdict EndotheliumPart::inputsChanged(const Instant& now) const {
   if (now.time >= world_.biology.endotheliumOnset()) return Verdict::run();

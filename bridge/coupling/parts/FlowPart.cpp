@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "bridge/coupling/FlowForecast.h"
+#include "bridge/flow/LumenFrame.h"
 #include "bridge/flow/PoiseuilleError.h"
+#include "bridge/flow/backends/FlowBackends.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/scene/SceneFingerprint.h"
 #include "bridge/scene/Units.h"
@@ -23,6 +25,21 @@ namespace {
 constexpr double farFromPoiseuille = 0.5;
 
 }  // namespace
+
+std::unique_ptr<FlowPart> FlowPart::make(const PartContext& context) {
+  const Scene& scene = context.world.scene;
+  if (!scene.flow) return nullptr;
+  auto backend = makeFlowBackend(scene.flow->backend, {.fidelity = scene.scene.fidelity,
+                                                       .foam = scene.foam,
+                                                       .lbm = scene.lbm,
+                                                       .straightEnds = scene.flow->straightEnds,
+                                                       .moveMesh = scene.coupling.remesh == "onDemand",
+                                                       .ranks = context.ranks,
+                                                       .stopRequested = context.stopRequested});
+  if (!backend) return nullptr;
+  if (scene.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
+  return std::make_unique<FlowPart>(context.world, std::move(backend));
+}
 
 FlowPart::FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
     : world_(world), backend_(std::move(backend)), settings_(flowSettings(world.scene)) {}

@@ -6,7 +6,8 @@
 #include <string>
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 #include "bridge/flow/FlowBackend.h"
 
 namespace restenosis {
@@ -17,6 +18,8 @@ namespace restenosis {
 /// grows. And when the last solve was made with other settings, by a run that was then resumed.
 class FlowPart : public Part {
  public:
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<FlowPart> make(const PartContext& context);
   FlowPart(World& world, std::unique_ptr<FlowBackend> backend);
   std::string_view name() const override { return "flow"; }
   std::vector<Quantity> reads() const override { return {Quantity::lumen}; }

@@ -1,8 +1,19 @@
 #include "bridge/coupling/parts/LumenPart.h"
 
+#include "bridge/coupling/FlowForecast.h"
 #include "bridge/surface/LumenSurface.h"
 
 namespace restenosis {
+
+std::vector<PlannedPart> LumenPart::explain(const Scene& scene) {
+  return {{"lumen surface", true,
+           noFlowBecause(scene).empty() ? "when the flow may be due, and at recorded steps"
+                                        : "at recorded steps only"}};
+}
+
+std::unique_ptr<LumenPart> LumenPart::make(const PartContext& context) {
+  return std::make_unique<LumenPart>(context.world);
+}
 
 Verdict LumenPart::inputsChanged(const Instant&) const {
   const bool changed = world_.changes.changedSince(name(), Quantity::agentPositions);

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 
 namespace restenosis {
 
@@ -11,6 +12,8 @@ namespace restenosis {
 /// ends because its lumen has closed depends on the tissue, not on what is recorded.
 class LumenPart : public Part {
  public:
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<LumenPart> make(const PartContext& context);
   explicit LumenPart(World& world) : world_(world) {}
   std::string_view name() const override { return "lumen"; }
   std::vector<Quantity> reads() const override { return {Quantity::agentPositions}; }

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 
 namespace restenosis {
 
 /// Turns the wall shear stress of covered cells into nitric oxide (model 7).
 class NitricOxidePart : public Part {
  public:
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<NitricOxidePart> make(const PartContext& context);
   explicit NitricOxidePart(World& world) : world_(world) {}
   std::string_view name() const override { return "nitricOxide"; }
   std::vector<Quantity> reads() const override { return {Quantity::wallShearStress, Quantity::coverage}; }

@@ -9,6 +9,12 @@
 
 namespace restenosis {
 
+std::vector<PlannedPart> RecordPart::explain(const Scene&) { return {}; }
+
+std::unique_ptr<RecordPart> RecordPart::make(const PartContext& context) {
+  return std::make_unique<RecordPart>(context.world);
+}
+
 RecordPart::RecordPart(World& world)
     : world_(world),
       timeSeries_(world.folder.timeSeries()),

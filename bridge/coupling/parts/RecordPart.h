@@ -1,7 +1,8 @@
 #pragma once
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 #include "bridge/output/PvdSeries.h"
 #include "bridge/output/TimeSeries.h"
 
@@ -10,6 +11,9 @@ namespace restenosis {
 /// Writes a state for the user: a row of the time series, the agents and the lumen for ParaView (model 10).
 class RecordPart : public Part {
  public:
+  /// Nothing: every run records.
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<RecordPart> make(const PartContext& context);
   explicit RecordPart(World& world);
   std::string_view name() const override { return "record"; }
   std::vector<Quantity> reads() const override;

@@ -6,6 +6,17 @@
 
 namespace restenosis {
 
+std::vector<PlannedPart> RelaxPart::explain(const Scene& scene) {
+  const bool grows = scene.cellCycle.has_value();
+  return {{"relaxation", grows,
+           grows ? "after every step in which a cell grew or divided" : "no [cellCycle]: nothing grows"}};
+}
+
+std::unique_ptr<RelaxPart> RelaxPart::make(const PartContext& context) {
+  if (!context.world.scene.hasTissue()) return nullptr;
+  return std::make_unique<RelaxPart>(context.world);
+}
+
 RelaxPart::RelaxPart(World& world)
     : world_(world),
       relaxation_(*world.scene.mechanics, *world.scene.relaxation, world.scene.vessel.cellRadius),

@@ -3,7 +3,8 @@
 #include <memory>
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 #include "tissue/equilibrium/Relaxation.h"
 #include "tissue/vessel/EndPlanes.h"
 
@@ -13,6 +14,8 @@ namespace restenosis {
 /// not yield.
 class RelaxPart : public Part {
  public:
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<RelaxPart> make(const PartContext& context);
   explicit RelaxPart(World& world);
   std::string_view name() const override { return "relax"; }
   std::vector<Quantity> reads() const override { return {Quantity::cellStates}; }

@@ -1,9 +1,19 @@
 #include "bridge/coupling/parts/WallShearPart.h"
 
+#include "bridge/flow/FlowBackendNames.h"
 #include "bridge/sampling/ShearResponse.h"
 #include "bridge/sampling/WssSampling.h"
 
 namespace restenosis {
+
+std::vector<PlannedPart> WallShearPart::explain(const Scene&) { return {}; }
+
+std::unique_ptr<WallShearPart> WallShearPart::make(const PartContext& context) {
+  const World& world = context.world;
+  if (!world.scene.flow || world.scene.flow->backend == flowBackendNames::none) return nullptr;
+  if (!world.biology.rules().readWss()) return nullptr;
+  return std::make_unique<WallShearPart>(context.world);
+}
 
 Verdict WallShearPart::inputsChanged(const Instant&) const {
   if (!world_.flow.last) return Verdict::skip("no flow solved yet");

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "bridge/coupling/Part.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/PartContext.h"
+#include "bridge/coupling/PlannedPart.h"
 
 namespace restenosis {
 
@@ -9,6 +10,9 @@ namespace restenosis {
 /// lumen has moved since the flow was solved, brings it up to date to first order (ShearResponse).
 class WallShearPart : public Part {
  public:
+  /// Nothing: it goes with the flow.
+  static std::vector<PlannedPart> explain(const Scene& scene);
+  static std::unique_ptr<WallShearPart> make(const PartContext& context);
   explicit WallShearPart(World& world) : world_(world) {}
   std::string_view name() const override { return "wallShear"; }
   std::vector<Quantity> reads() const override {

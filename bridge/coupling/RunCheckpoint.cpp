@@ -1,0 +1,73 @@
+#include "bridge/coupling/RunCheckpoint.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/foam/FoamTemplate.h"
+#include "bridge/output/Build.h"
+#include "bridge/scene/SceneFingerprint.h"
+#include "tissue/agents/StateArchive.h"
+
+namespace restenosis {
+namespace {
+
+/// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
+constexpr std::chrono::seconds longestUnsaved{30};
+
+/// Of this program, this machine and what the flow is solved with.
+std::map<std::string, std::string> traitsOf(const Scene& scene) {
+  auto traits = buildTraits();
+  if (!scene.flow || scene.flow->backend != flowBackendNames::foam) return traits;
+  try {
+    const std::filesystem::path folder = foamTemplate();
+    FileDigests files = digestsOf(folder, foamTemplateFiles(folder));
+    HashingArchive hash;
+    hash(files);
+    traits["OpenFOAM case template"] = hash.digest();
+  } catch (const std::runtime_error&) {
+    // The solve says what is wrong with it
+  }
+  return traits;
+}
+
+}  // namespace
+
+RunCheckpoint::RunCheckpoint(World& world)
+    : world_(world),
+      origin_{traitsOf(world.scene), inputDigests(world.scene)},
+      checkpoint_(world.folder.checkpoint(), origin_),
+      fingerprint_(checkpointFingerprint(world.scene)),
+      formerCase_(world) {}
+
+void RunCheckpoint::adopt(const CheckpointOrigin& savedBy, const FlowPart* flow, double day,
+                          bool flowFromRest) {
+  formerCase_.requireAfterResume(flow, file().string(), day, flowFromRest);
+  compareOrigin(savedBy, day);
+}
+
+void RunCheckpoint::compareOrigin(const CheckpointOrigin& before, double day) {
+  const std::string others = traitsInPlace(before.traits, origin_.traits);
+  if (others.empty()) return;
+  world_.reproducible = false;
+  world_.remark(
+      fmt::format("resumed on day {:.4g} by another program or machine, so that the state may differ from "
+                  "that of a whole run: {}",
+                  day, others));
+}
+
+void RunCheckpoint::save(const Checkpoint::StateWriter& state) {
+  auto measurement = world_.timer.measure("output");
+  formerCase_.flush();
+  checkpoint_.save(fingerprint_, state);
+  lastSaved_ = std::chrono::steady_clock::now();
+  formerCase_.noteInCheckpoint();
+}
+
+void RunCheckpoint::saveWhenDue(bool regular, const Checkpoint::StateWriter& state) {
+  if (regular || std::chrono::steady_clock::now() - lastSaved_ > longestUnsaved) save(state);
+}
+
+}  // namespace restenosis

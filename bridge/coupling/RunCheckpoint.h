@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "bridge/coupling/FormerFlowCase.h"
+#include "bridge/coupling/World.h"
+#include "bridge/output/Checkpoint.h"
+
+namespace restenosis {
+
+/// When a run's state is saved, and whether a saved one may be gone on from.
+class RunCheckpoint {
+ public:
+  explicit RunCheckpoint(World& world);
+
+  bool exists() const { return checkpoint_.exists(); }
+  std::filesystem::path file() const { return checkpoint_.file(); }
+  /// Throws CheckpointRefused for a state that is damaged or of another scene.
+  StoredState load() const { return checkpoint_.loadWithOrigin(fingerprint_); }
+  /// The state has been read: refuses it without the files it goes on from (FormerFlowCase), and remarks on
+  /// one that another version, compiler or processor has saved. `day`: of the state.
+  void adopt(const CheckpointOrigin& savedBy, const FlowPart* flow, double day, bool flowFromRest);
+
+  /// Throws WriteFailed.
+  void save(const Checkpoint::StateWriter& state);
+  /// Saves when the scene's interval is over (`regular`), or when a kill would cost too much.
+  void saveWhenDue(bool regular, const Checkpoint::StateWriter& state);
+
+ private:
+  void compareOrigin(const CheckpointOrigin& before, double day);
+
+  World& world_;
+  CheckpointOrigin origin_;
+  Checkpoint checkpoint_;
+  std::string fingerprint_;  ///< of when the run was started or resumed
+  FormerFlowCase formerCase_;
+  std::chrono::steady_clock::time_point lastSaved_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace restenosis

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bridge/coupling/Instant.h"
+#include "bridge/coupling/RunOptions.h"
+#include "bridge/coupling/Schedule.h"
+#include "bridge/coupling/World.h"
+#include "bridge/coupling/parts/RecordPart.h"
+#include "bridge/flow/PoiseuilleError.h"
+
+namespace restenosis {
+
+/// What a run tells of itself: progress, and the files that are written at its end.
+class RunReport {
+ public:
+  RunReport(World& world, const RunOptions& options);
+
+  void progress(const Instant& now) const;
+  /// Hash over all agents.
+  std::string stateDigest() const;
+  /// Run::poiseuille.
+  std::optional<PoiseuilleError> poiseuille() const;
+
+  /// profile.csv and thicknessMap.csv. Throws WriteFailed.
+  void writeFinalLumen() const;
+  /// summary.json; `schedule` and `record` are null before growth. Throws WriteFailed.
+  void writeSummary(const std::string& status, const Schedule* schedule, const RecordPart* record) const;
+
+ private:
+  World& world_;
+  const RunOptions& options_;
+  std::string sceneFingerprint_;  ///< of when the run was started or resumed
+};
+
+}  // namespace restenosis

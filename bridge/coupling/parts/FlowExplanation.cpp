@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/parts/FlowPart.h"
+#include "bridge/flow/FlowBackendNames.h"
+#include "tissue/parameters/SecondsPerDay.h"
+
+namespace restenosis {
+namespace {
+
+/// Only of a packed wall: a loaded one may have gaps in its IEL, or none at all.
+bool nothingCanBeExposed(const Scene& scene) {
+  if (!scene.vessel.agents.empty()) return false;
+  return !scene.injury || scene.injury->sparesIel(scene.stent.has_value());
+}
+
+std::string whenFlowIsSolved(const Scene& scene) {
+  if (!scene.hasTissue()) return "once: without tissue the lumen does not change";
+  if (scene.coupling.schedule == "everyStep")
+    return fmt::format("in every one of the {} steps (coupling.schedule = \"everyStep\")",
+                       stepCount(scene.scene) + 1);
+  std::string text = fmt::format(
+      "from the first covered cell (not before day {:g}), when a covered cell could still cycle and the "
+      "lumen "
+      "has moved more than {:g} um over 1 % of it, or at {:g} % of the covered cells near the stress that "
+      "arrests them",
+      Biology(biologySettings(scene)).endotheliumOnset() / secondsPerDay, scene.coupling.lumenTolerance * 1e6,
+      scene.coupling.undecidedShare * 100);
+  if (nothingCanBeExposed(scene))
+    text +=
+        "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
+        "due";
+  return text;
+}
+
+std::vector<PlannedPart> meshExplanation(const Scene& scene) {
+  const bool afresh = scene.coupling.remesh == "always";
+  if (scene.flow->backend == flowBackendNames::foam && scene.hasTissue())
+    return {{"mesh", true,
+             afresh ? "made anew for every solve"
+                    : "moved with the wall, and made anew where that is not good enough"}};
+  if (scene.flow->backend == flowBackendNames::lbm && !afresh)
+    return {
+        {"mesh", false, "coupling.remesh is about OpenFOAM's mesh: a lattice is made anew for every solve"}};
+  return {};
+}
+
+}  // namespace
+
+std::vector<PlannedPart> FlowPart::explain(const Scene& scene) {
+  if (const std::string noFlow = noFlowBecause(scene); !noFlow.empty()) return {{"flow", false, noFlow}};
+  std::string text = whenFlowIsSolved(scene);
+  for (const std::string& known : flowForecast(scene, 1)) text += "; it " + known;
+  std::vector<PlannedPart> parts{{fmt::format("flow ({})", scene.flow->backend), true, text}};
+  for (PlannedPart& mesh : meshExplanation(scene)) parts.push_back(std::move(mesh));
+  if (scene.flow->straightEnds > 0)
+    parts.push_back({"straight ends", true,
+                     fmt::format("{:g} mm of straight tube before the inlet and behind the outlet, in the "
+                                 "flow only",
+                                 scene.flow->straightEnds * 1e3)});
+  return parts;
+}
+
+}  // namespace restenosis
