@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/RunState.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/foam/FoamRequirements.h"
 #include "bridge/flow/foam/FoamTemplate.h"

@@ -8,18 +8,18 @@
 
 namespace restenosis {
 
-void FormerFlowCase::requireAfterResume(const FlowPart* flow, const std::string& checkpoint, double day,
+void FormerFlowCase::requireAfterResume(const FlowPart* part, const std::string& checkpoint, double day,
                                         bool fromRest) {
   noteInCheckpoint();
-  flushedSolve_ = world_.flow.solves;
-  const std::string changed = change(flow);
+  flushedSolve_ = flow_.solves;
+  const std::string changed = change(part);
   if (changed.empty()) return;
-  const auto& folder = world_.caseInCheckpoint;
+  const auto& folder = flow_.caseInCheckpoint;
   if (fromRest) {
-    world_.flow.fromRest = true;
-    world_.flow.startFiles.clear();
-    world_.reproducible = false;
-    world_.remark(
+    flow_.fromRest = true;
+    flow_.startFiles.clear();
+    state_.reproducible = false;
+    state_.remark(
         fmt::format("the flow goes on from rest on a new mesh: resumed on day {:.4g} from the flow in {}, {}",
                     day, folder.string(), changed));
     return;
@@ -33,27 +33,27 @@ void FormerFlowCase::requireAfterResume(const FlowPart* flow, const std::string&
           checkpoint, folder.string(), changed));
 }
 
-std::string FormerFlowCase::change(const FlowPart* flow) const {
-  const auto& folder = world_.caseInCheckpoint;
-  const bool needed = !world_.flow.startFiles.empty() && world_.lastFlowHasTheseSettings();
-  if (!needed || !flow) return {};
+std::string FormerFlowCase::change(const FlowPart* part) const {
+  const auto& folder = flow_.caseInCheckpoint;
+  const bool needed = !flow_.startFiles.empty() && state_.lastFlowHasTheseSettings();
+  if (!needed || !part) return {};
   if (!std::filesystem::is_directory(folder)) return "which is not there";
   try {
-    return changeOfFiles(world_.flow.startFiles, flow->startFiles(folder));
+    return changeOfFiles(flow_.startFiles, part->startFiles(folder));
   } catch (const std::runtime_error& error) {
     return fmt::format("where {}", error.what());
   }
 }
 
 void FormerFlowCase::flush() {
-  if (world_.flow.startFiles.empty() || flushedSolve_ == world_.flow.solves) return;
-  if (!world_.lastFlowHasTheseSettings()) return;  // nothing starts from it
-  flushFiles(world_.folder.flowCase(world_.flow.time), world_.flow.startFiles);
-  flushedSolve_ = world_.flow.solves;
+  if (flow_.startFiles.empty() || flushedSolve_ == flow_.solves) return;
+  if (!state_.lastFlowHasTheseSettings()) return;  // nothing starts from it
+  flushFiles(state_.folder.flowCase(flow_.time), flow_.startFiles);
+  flushedSolve_ = flow_.solves;
 }
 
 void FormerFlowCase::noteInCheckpoint() {
-  if (world_.flow.solves > 0) world_.caseInCheckpoint = world_.folder.flowCase(world_.flow.time);
+  if (flow_.solves > 0) flow_.caseInCheckpoint = state_.folder.flowCase(flow_.time);
 }
 
 }  // namespace restenosis

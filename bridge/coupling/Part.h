@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -7,21 +8,9 @@
 #include <vector>
 
 #include "bridge/coupling/Instant.h"
+#include "bridge/coupling/Quantities.h"
 
 namespace restenosis {
-
-/// What the parts of the loop hand to each other.
-enum class Quantity : std::uint8_t {
-  cellStates,       ///< cycle states, sizes and number of cells
-  agentPositions,   ///< where agents are
-  exposure,         ///< which cells face the lumen, which are crowded
-  coverage,         ///< which cells carry endothelium
-  lumen,            ///< shape of the lumen
-  wallTraction,     ///< on the faces of the flow's wall
-  wallShearStress,  ///< on cells
-  nitricOxide,      ///< of cells
-  record            ///< what is written for the user
-};
 
 /// An answer to "must this run?", with the reason that is counted and shown when it is no. Reasons are
 /// categories: few different texts, without numbers.
@@ -35,14 +24,21 @@ struct Verdict {
   static Verdict unless(std::string_view reason) { return {reason.empty(), std::string(reason)}; }
 };
 
-/// A part of the coupled loop. It says what it reads and writes and what would change its answer; when it
-/// runs is the schedule's decision (model 9).
+/// A part of the coupled loop. It declares what it reads and writes, and says what would change its answer;
+/// when it runs is the schedule's decision (model 9).
+///
+/// A part reaches quantities by what it declares only: `read`, `write` and `observe` give it the access. What
+/// lives in the agents is given as the agents, or as the wall that holds them.
 class Part {
  public:
+  explicit Part(Quantities& quantities) : quantities_(quantities) {}
   virtual ~Part() = default;
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
   virtual std::string_view name() const = 0;
-  virtual std::vector<Quantity> reads() const = 0;
-  virtual std::vector<Quantity> writes() const = 0;
+  const std::vector<Quantity>& reads() const { return reads_; }
+  const std::vector<Quantity>& writes() const { return writes_; }
 
   /// Whether this part is what a run is made for at this instant, so that it needs no reader to run.
   virtual bool isPurpose(const Instant& now) const;
@@ -58,6 +54,39 @@ class Part {
   virtual Verdict inputsChanged(const Instant& now) const;
 
   virtual void run(const Instant& now) = 0;
+
+  /// Whether anything it reads has been written since it last ran.
+  bool hasNewInput() const;
+  /// It has run: what it reads is known to it.
+  void noteInputs();
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(seen_);
+  }
+
+ protected:
+  template <Quantity q>
+  Read<q> read() {
+    reads_.push_back(q);
+    return Read<q>(quantities_);
+  }
+  template <Quantity q>
+  Write<q> write() {
+    writes_.push_back(q);
+    return Write<q>(quantities_);
+  }
+  /// Looks at a quantity as it happens to be: neither a reason to make it nor news when it changes.
+  template <Quantity q>
+  Read<q> observe() {
+    return Read<q>(quantities_);
+  }
+
+ private:
+  Quantities& quantities_;
+  std::vector<Quantity> reads_, writes_;
+  /// One more than the number of changes of each quantity when it was last read; 0 for never.
+  std::array<std::uint64_t, quantityCount> seen_{};
 };
 
 }  // namespace restenosis

@@ -18,10 +18,10 @@ Run::Run(const Scene& scene, const ResultsFolder& folder, Progress& progress, co
     : scene_(scene),
       folder_(folder),
       options_(options),
-      world_(scene, folder, progress),
-      preparation_(world_, options_),
-      checkpoint_(world_),
-      report_(world_, options_) {
+      state_(scene, folder, progress),
+      preparation_(state_, options_),
+      checkpoint_(state_),
+      report_(state_, options_) {
   omp_set_num_threads(options.threads);
 }
 
@@ -48,7 +48,7 @@ void Run::go() {
     endAs("failed");
     throw;
   }
-  world_.progress.finish();
+  state_.progress.finish();
   record_->end();
   report_.writeFinalLumen();
   writeSummary();
@@ -56,7 +56,7 @@ void Run::go() {
 
 void Run::makeWall() {
   if (!scene_.vessel.lumenSurface.empty())
-    for (const std::string& text : scene_.remarks) world_.remark(text);
+    for (const std::string& text : scene_.remarks) state_.remark(text);
   if (scene_.hasTissue()) preparation_.makeWall();
   stage_ = Stage::deploying;
   save();
@@ -75,7 +75,7 @@ void Run::deploy() {
 
 void Run::startGrowth() {
   if (const std::string turbulent = turbulenceForecast(scene_); !turbulent.empty())
-    world_.remarks.push_back(fmt::format("the flow {}", turbulent));
+    state_.remarks.push_back(fmt::format("the flow {}", turbulent));
   buildSchedule();
   stage_ = Stage::growing;
   record_->begin();
@@ -89,7 +89,7 @@ void Run::grow() {
     schedule_->advance(now);  // growthStep: relax, expose, cover, take the lumen, solve the flow, ..., cycle
     // It takes as long as a step; tissue that rests does not come to such contacts between them
     if ((now.step == 0 || now.last) && scene_.hasTissue())
-      remarkOnContactLaw(world_, fmt::format("on day {:.4g}", day()));
+      remarkOnContactLaw(state_, fmt::format("on day {:.4g}", day()));
     report_.progress(now);
     if (now.last) break;
   }
@@ -99,23 +99,21 @@ void Run::buildSchedule() {
   const bool everyStep = scene_.coupling.schedule == "everyStep";
   schedule_ = std::make_unique<Schedule>(everyStep ? Schedule::Mode::everyStep : Schedule::Mode::onChange);
   // Not archived: where the stent stands after deployment follows from the scene.
-  if (scene_.stent && !world_.stent)
-    world_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
-  const PartContext context{world_, options_.ranks, options_.stopRequested};
+  if (scene_.stent && !state_.stent)
+    state_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);
+  const PartContext context{state_, options_.ranks, options_.stopRequested};
   for (const PartEntry& entry : growthStep()) {
-    auto part = entry.make(context);
-    if (!part) continue;
-    if (auto* record = dynamic_cast<RecordPart*>(part.get())) record_ = record;
-    if (auto* flow = dynamic_cast<FlowPart*>(part.get())) flow_ = flow;
-    schedule_->add(std::move(part));
+    if (auto part = entry.make(context)) schedule_->add(std::move(part));
   }
+  record_ = schedule_->find<RecordPart>();
+  flow_ = schedule_->find<FlowPart>();
 }
 
 void Run::resume() {
   if (!checkpoint_.exists()) {
     // What was begun before the first checkpoint is begun again
     const bool moved = folder_.moveFormerRun(Unrecorded::deleted);
-    world_.progress.message(
+    state_.progress.message(
         fmt::format("no checkpoint: starting afresh{}", moved ? "; the former run is in previous/" : ""));
     return;
   }
@@ -130,10 +128,11 @@ void Run::resume() {
                     checkpoint_.file().string(), day(), scene_.scene.duration / secondsPerDay));
   }
   checkpoint_.adopt(stored.origin, flow_, day(), options_.flowFromRest);
-  folder_.removeFlowCasesAfter(world_.flow.solves > 0 ? std::optional(world_.flow.time) : std::nullopt);
-  if (!world_.lastFlowHasTheseSettings()) {
-    world_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
-                                        settingsInPlace(world_.flow.settings, flowSettings(scene_))));
+  const FlowState& flow = state_.quantities.flow;
+  folder_.removeFlowCasesAfter(flow.solves > 0 ? std::optional(flow.time) : std::nullopt);
+  if (!state_.lastFlowHasTheseSettings()) {
+    state_.progress.message(fmt::format("the flow goes on with other settings than before: {}",
+                                        settingsInPlace(flow.settings, flowSettings(scene_))));
   }
   // It is of an end that is none any more
   std::filesystem::remove(folder_.summary());
@@ -142,10 +141,11 @@ void Run::resume() {
 
 template <class Archive>
 void Run::archive(Archive& a) {
-  a(stage_, deploymentSteps_, nextStep_, world_);
+  a(stage_, deploymentSteps_, nextStep_, state_);
   if (stage_ != Stage::growing) return;
   if (!schedule_) buildSchedule();
-  a(*schedule_, *record_);
+  a(*schedule_);
+  record_->archiveFiles(a);
 }
 
 void Run::save() {
@@ -168,7 +168,7 @@ void Run::recordOcclusion() {
   const Instant now = instantOf(scene_, nextStep_);
   record_->run(now);
   report_.progress(now);
-  world_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / secondsPerDay));
+  state_.progress.message(fmt::format("the lumen is closed on day {:.4g}", now.time / secondsPerDay));
 }
 
 void Run::endAs(const char* status) {

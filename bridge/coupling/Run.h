@@ -9,9 +9,9 @@
 #include "bridge/coupling/RunCheckpoint.h"
 #include "bridge/coupling/RunOptions.h"
 #include "bridge/coupling/RunReport.h"
+#include "bridge/coupling/RunState.h"
 #include "bridge/coupling/Schedule.h"
 #include "bridge/coupling/WallPreparation.h"
-#include "bridge/coupling/World.h"
 #include "bridge/coupling/parts/FlowPart.h"
 #include "bridge/coupling/parts/RecordPart.h"
 
@@ -61,7 +61,7 @@ class Run {
   const Scene& scene_;
   const ResultsFolder& folder_;
   RunOptions options_;
-  World world_;
+  RunState state_;
   WallPreparation preparation_;
   RunCheckpoint checkpoint_;
   RunReport report_;

@@ -35,12 +35,12 @@ std::map<std::string, std::string> traitsOf(const Scene& scene) {
 
 }  // namespace
 
-RunCheckpoint::RunCheckpoint(World& world)
-    : world_(world),
-      origin_{traitsOf(world.scene), inputDigests(world.scene)},
-      checkpoint_(world.folder.checkpoint(), origin_),
-      fingerprint_(checkpointFingerprint(world.scene)),
-      formerCase_(world) {}
+RunCheckpoint::RunCheckpoint(RunState& state)
+    : state_(state),
+      origin_{traitsOf(state.scene), inputDigests(state.scene)},
+      checkpoint_(state.folder.checkpoint(), origin_),
+      fingerprint_(checkpointFingerprint(state.scene)),
+      formerCase_(state) {}
 
 void RunCheckpoint::adopt(const CheckpointOrigin& savedBy, const FlowPart* flow, double day,
                           bool flowFromRest) {
@@ -51,15 +51,15 @@ void RunCheckpoint::adopt(const CheckpointOrigin& savedBy, const FlowPart* flow,
 void RunCheckpoint::compareOrigin(const CheckpointOrigin& before, double day) {
   const std::string others = traitsInPlace(before.traits, origin_.traits);
   if (others.empty()) return;
-  world_.reproducible = false;
-  world_.remark(
+  state_.reproducible = false;
+  state_.remark(
       fmt::format("resumed on day {:.4g} by another program or machine, so that the state may differ from "
                   "that of a whole run: {}",
                   day, others));
 }
 
 void RunCheckpoint::save(const Checkpoint::StateWriter& state) {
-  auto measurement = world_.timer.measure("output");
+  auto measurement = state_.timer.measure("output");
   formerCase_.flush();
   checkpoint_.save(fingerprint_, state);
   lastSaved_ = std::chrono::steady_clock::now();

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bridge/coupling/FormerFlowCase.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/RunState.h"
 #include "bridge/output/Checkpoint.h"
 
 namespace restenosis {
@@ -13,7 +13,7 @@ namespace restenosis {
 /// When a run's state is saved, and whether a saved one may be gone on from.
 class RunCheckpoint {
  public:
-  explicit RunCheckpoint(World& world);
+  explicit RunCheckpoint(RunState& state);
 
   bool exists() const { return checkpoint_.exists(); }
   std::filesystem::path file() const { return checkpoint_.file(); }
@@ -31,7 +31,7 @@ class RunCheckpoint {
  private:
   void compareOrigin(const CheckpointOrigin& before, double day);
 
-  World& world_;
+  RunState& state_;
   CheckpointOrigin origin_;
   Checkpoint checkpoint_;
   std::string fingerprint_;  ///< of when the run was started or resumed

@@ -12,39 +12,42 @@
 
 namespace restenosis {
 
-RunReport::RunReport(World& world, const RunOptions& options)
-    : world_(world), options_(options), sceneFingerprint_(sceneFingerprint(world.scene)) {}
+RunReport::RunReport(RunState& state, const RunOptions& options)
+    : state_(state),
+      quantities_(state.quantities),
+      options_(options),
+      sceneFingerprint_(sceneFingerprint(state.scene)) {}
 
 void RunReport::progress(const Instant& now) const {
-  const StateCounts counts = countStates(world_.wall.agents);
-  ProgressState state;
-  state.time = now.time;
-  state.agents = world_.wall.agents.size();
-  state.g0 = counts.g0, state.g1 = counts.g1, state.sg2m = counts.sg2m;
-  state.divisions = world_.divisions;
-  state.flowSolves = world_.flow.solves;
-  world_.progress.step(state, now.recorded);
+  const StateCounts counts = countStates(quantities_.wall.agents);
+  ProgressState progress;
+  progress.time = now.time;
+  progress.agents = quantities_.wall.agents.size();
+  progress.g0 = counts.g0, progress.g1 = counts.g1, progress.sg2m = counts.sg2m;
+  progress.divisions = state_.divisions;
+  progress.flowSolves = quantities_.flow.solves;
+  state_.progress.step(progress, now.recorded);
 }
 
 std::string RunReport::stateDigest() const {
   HashingArchive hash;
-  hash(world_.wall.agents);
+  hash(quantities_.wall.agents);
   return hash.digest();
 }
 
 std::optional<PoiseuilleError> RunReport::poiseuille() const {
-  const Scene& scene = world_.scene;
-  if (!world_.flow.last || !obeysPoiseuille(scene)) return std::nullopt;
-  return poiseuilleError(world_.flow.last->wall, scene.vessel.lumenDiameter, scene.vessel.length,
+  const Scene& scene = state_.scene;
+  if (!quantities_.flow.last || !obeysPoiseuille(scene)) return std::nullopt;
+  return poiseuilleError(quantities_.flow.last->wall, scene.vessel.lumenDiameter, scene.vessel.length,
                          scene.flow->conditions(scene.vessel.lumenDiameter));
 }
 
 void RunReport::writeFinalLumen() const {
-  const RadialMap& present = world_.lumen.present;
+  const RadialMap& present = quantities_.lumen.present;
   std::vector<ProfileRow> rows(static_cast<std::size_t>(present.planes()));
   std::optional<Neointima> neointima;
-  if (world_.scene.hasTissue() && present.comparable(world_.lumen.afterDeployment))
-    neointima = measureNeointima(world_.lumen.afterDeployment, present, 0.0, world_.wall.length);
+  if (state_.scene.hasTissue() && present.comparable(quantities_.lumen.afterDeployment))
+    neointima = measureNeointima(quantities_.lumen.afterDeployment, present, 0.0, quantities_.wall.length);
   for (int k = 0; k < present.planes(); ++k) {
     rows[k].z = present.z(k);
     rows[k].lumenArea = present.lumenArea(k);
@@ -52,13 +55,14 @@ void RunReport::writeFinalLumen() const {
     rows[k].neointimaAreaFraction = neointima->areaFraction[k];
     rows[k].neointimaThickness = neointima->thickness[k];
   }
-  writeProfileCsv(world_.folder.profile(), rows);
-  if (neointima) writeThicknessMapCsv(world_.folder.thicknessMap(), world_.lumen.afterDeployment, present);
+  writeProfileCsv(state_.folder.profile(), rows);
+  if (neointima)
+    writeThicknessMapCsv(state_.folder.thicknessMap(), quantities_.lumen.afterDeployment, present);
 }
 
 void RunReport::writeSummary(const std::string& status, const Schedule* schedule,
                              const RecordPart* record) const {
-  const Scene& scene = world_.scene;
+  const Scene& scene = state_.scene;
   Summary summary;
   summary.scene = scene.name;
   summary.title = scene.scene.title;
@@ -68,27 +72,27 @@ void RunReport::writeSummary(const std::string& status, const Schedule* schedule
   summary.ranks = options_.ranks;
   if (scene.flow) summary.flowBackend = scene.flow->backend;
   // The state is of no one scene once the flow has had other settings on the way, or of no one program
-  if (world_.reproducible && !world_.flow.mixed && world_.lastFlowHasTheseSettings())
+  if (state_.reproducible && !quantities_.flow.mixed && state_.lastFlowHasTheseSettings())
     summary.sceneFingerprint = sceneFingerprint_;
   summary.stateDigest = stateDigest();
   if (record && !record->timeSeries().rows().empty()) summary.last = record->timeSeries().rows().back();
-  summary.flowSolvesDone = world_.flow.solves;
-  summary.flowMeshesMoved = world_.flow.meshesMoved;
-  summary.flowRemeshed = world_.flow.remeshedBecause;
+  summary.flowSolvesDone = quantities_.flow.solves;
+  summary.flowMeshesMoved = quantities_.flow.meshesMoved;
+  summary.flowRemeshed = quantities_.flow.remeshedBecause;
   if (schedule) {
     const auto flow = schedule->counts().find("flow");
     if (flow != schedule->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
-  summary.packing = world_.packing;
-  summary.deployment = world_.deployment;
-  summary.injury = world_.injury;
-  summary.relaxationIterations = world_.relaxation.iterations;
-  summary.agentEvaluations = world_.relaxation.agentEvaluations;
-  summary.relaxationResidual = world_.relaxation.residual;
+  summary.packing = state_.packing;
+  summary.deployment = state_.deployment;
+  summary.injury = state_.injury;
+  summary.relaxationIterations = state_.relaxation.iterations;
+  summary.agentEvaluations = state_.relaxation.agentEvaluations;
+  summary.relaxationResidual = state_.relaxation.residual;
   summary.poiseuille = poiseuille();
-  summary.parts = world_.timer.costs();
-  summary.remarks = world_.remarks;
-  writeSummaryJson(world_.folder.summary(), summary);
+  summary.parts = state_.timer.costs();
+  summary.remarks = state_.remarks;
+  writeSummaryJson(state_.folder.summary(), summary);
 }
 
 }  // namespace restenosis

@@ -5,8 +5,8 @@
 
 #include "bridge/coupling/Instant.h"
 #include "bridge/coupling/RunOptions.h"
+#include "bridge/coupling/RunState.h"
 #include "bridge/coupling/Schedule.h"
-#include "bridge/coupling/World.h"
 #include "bridge/coupling/parts/RecordPart.h"
 #include "bridge/flow/PoiseuilleError.h"
 
@@ -15,7 +15,7 @@ namespace restenosis {
 /// What a run tells of itself: progress, and the files that are written at its end.
 class RunReport {
  public:
-  RunReport(World& world, const RunOptions& options);
+  RunReport(RunState& state, const RunOptions& options);
 
   void progress(const Instant& now) const;
   /// Hash over all agents.
@@ -29,7 +29,8 @@ class RunReport {
   void writeSummary(const std::string& status, const Schedule* schedule, const RecordPart* record) const;
 
  private:
-  World& world_;
+  RunState& state_;
+  Quantities& quantities_;
   const RunOptions& options_;
   std::string sceneFingerprint_;  ///< of when the run was started or resumed
 };

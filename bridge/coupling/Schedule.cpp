@@ -23,6 +23,7 @@ void Schedule::advance(const Instant& now) {
     PartCount& count = counts_[std::string(parts_[n]->name())];
     if (verdict.yes) {
       parts_[n]->run(now);
+      parts_[n]->noteInputs();
       ++count.done;
     } else {
       ++count.skipped[verdict.reason];
@@ -41,7 +42,7 @@ Verdict Schedule::needed(std::size_t part, const Instant& now) const {
   std::optional<Verdict> refusal;
   for (const Quantity quantity : parts_[part]->writes()) {
     for (std::size_t reader = 0; reader < parts_.size(); ++reader) {
-      const auto reads = parts_[reader]->reads();
+      const auto& reads = parts_[reader]->reads();
       if (reader == part || std::ranges::find(reads, quantity) == reads.end()) continue;
       Verdict answer = parts_[reader]->needs(quantity, now);
       // A reader further down must itself be needed; one further up reads the quantity in the next step.

@@ -40,9 +40,18 @@ class Schedule {
   Verdict decide(std::size_t part, const Instant& now) const;
 
   const std::map<std::string, PartCount>& counts() const { return counts_; }
+  /// The part of this type, or null.
+  template <class MyPart>
+  MyPart* find() const {
+    for (const auto& part : parts_)
+      if (auto* found = dynamic_cast<MyPart*>(part.get())) return found;
+    return nullptr;
+  }
+
   template <class Archive>
   void archive(Archive& a) {
     a(counts_);
+    for (const auto& part : parts_) a(*part);
   }
 
  private:

@@ -43,17 +43,17 @@ std::vector<PlannedPart> WallPreparation::explain(const Scene& scene) {
 }
 
 void WallPreparation::makeWall() {
-  const VesselParameters& vessel = world_.scene.vessel;
-  auto measurement = world_.timer.measure("pack");
+  const VesselParameters& vessel = state_.scene.vessel;
+  auto measurement = state_.timer.measure("pack");
   const std::string stage = vessel.agents.empty() ? "packing the wall" : "loading the wall";
-  world_.progress.stage(stage, 0, 1);
-  world_.wall = initialWall();
-  world_.progress.stage(stage, 1, 1);
-  if (!vessel.agents.empty()) world_.remark(remarkOnOpenEnds(vessel, world_.wall.agents));
+  state_.progress.stage(stage, 0, 1);
+  wall_ = initialWall();
+  state_.progress.stage(stage, 1, 1);
+  if (!vessel.agents.empty()) state_.remark(remarkOnOpenEnds(vessel, wall_.agents));
 }
 
 Wall WallPreparation::initialWall() {
-  const Scene& scene = world_.scene;
+  const Scene& scene = state_.scene;
   const VesselParameters& vessel = scene.vessel;
   if (!vessel.agents.empty()) {
     std::optional<double> depth;
@@ -65,52 +65,53 @@ Wall WallPreparation::initialWall() {
   }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
                   *scene.mechanics, *scene.relaxation, static_cast<std::uint64_t>(scene.scene.seed),
-                  &world_.packing.emplace(), [this] {
+                  &state_.packing.emplace(), [this] {
                     if (options_.askedToStop()) throw Interrupted();
                   });
 }
 
 void WallPreparation::deploy(std::int32_t& stepsDone, const std::function<void()>& afterStep) {
-  const Scene& scene = world_.scene;
-  auto measurement = world_.timer.measure("deploy");
-  Deployment deployment(world_.wall, makeStent(*scene.stent, scene.vessel), *scene.stent, scene.vessel,
+  const Scene& scene = state_.scene;
+  auto measurement = state_.timer.measure("deploy");
+  Deployment deployment(wall_, makeStent(*scene.stent, scene.vessel), *scene.stent, scene.vessel,
                         *scene.mechanics, *scene.relaxation, stepsDone);
   while (!deployment.done()) {
     deployment.step();
     stepsDone = deployment.stepsDone();
-    world_.progress.stage("deployment", stepsDone, deployment.steps());
+    state_.progress.stage("deployment", stepsDone, deployment.steps());
     afterStep();
   }
-  world_.wall.lastMove = std::vector<double>();
-  world_.stent = deployment.stent();
-  world_.deployment = deployment.statistics();
-  world_.remark(remarkOnEscaped(*world_.deployment, deployment.steps()));
-  requireWallOutsideStruts(*world_.deployment, deployment.steps());
-  remarkOnContactLaw(world_, "after deployment");
+  wall_.lastMove = std::vector<double>();
+  state_.stent = deployment.stent();
+  state_.deployment = deployment.statistics();
+  state_.remark(remarkOnEscaped(*state_.deployment, deployment.steps()));
+  requireWallOutsideStruts(*state_.deployment, deployment.steps());
+  remarkOnContactLaw(state_, "after deployment");
 }
 
 void WallPreparation::injureAndConfine() {
-  const Scene& scene = world_.scene;
-  AgentStore& agents = world_.wall.agents;
+  const Scene& scene = state_.scene;
+  AgentStore& agents = wall_.agents;
   for (Index i = 0; i < agents.size(); ++i) {
     // The tissue outside is stiff: the EEL holds its place while cells grow (ISR3D).
     if (agents.kind[i] == AgentKind::eel) agents.set(i, fixed, true);
   }
   if (scene.injury) {
-    world_.injury = injure(world_.wall, *scene.injury, static_cast<std::uint64_t>(scene.scene.seed));
-    world_.remark(remarkOnInjury(*world_.injury, *scene.injury));
+    state_.injury = injure(wall_, *scene.injury, static_cast<std::uint64_t>(scene.scene.seed));
+    state_.remark(remarkOnInjury(*state_.injury, *scene.injury));
   }
-  world_.confinement = OuterConfinement(agents, scene.vessel.cellRadius);
-  world_.changes.touch(Quantity::cellStates);
+  state_.confinement = OuterConfinement(agents, scene.vessel.cellRadius);
+  state_.quantities.countChange(Quantity::cellStates);
 }
 
-void remarkOnContactLaw(World& world, const std::string& when) {
+void remarkOnContactLaw(RunState& state, const std::string& when) {
   constexpr std::string_view what =
       "agents are pressed deeper than the contact law holds for; its continuation acts on them";
   const auto tellsSo = [&](const std::string& text) { return text.find(what) != std::string::npos; };
-  if (std::ranges::any_of(world.remarks, tellsSo)) return;
-  const Index pressed = ForceField(*world.scene.mechanics).agentsBeyondLaw(world.wall.agents);
-  if (pressed > 0) world.remark(fmt::format("{} {} of {} {}", when, pressed, world.wall.agents.size(), what));
+  if (std::ranges::any_of(state.remarks, tellsSo)) return;
+  const Index pressed = ForceField(*state.scene.mechanics).agentsBeyondLaw(state.quantities.wall.agents);
+  if (pressed > 0)
+    state.remark(fmt::format("{} {} of {} {}", when, pressed, state.quantities.wall.agents.size(), what));
 }
 
 }  // namespace restenosis

@@ -7,7 +7,7 @@
 
 #include "bridge/coupling/PlannedPart.h"
 #include "bridge/coupling/RunOptions.h"
-#include "bridge/coupling/World.h"
+#include "bridge/coupling/RunState.h"
 
 namespace restenosis {
 
@@ -16,7 +16,8 @@ class WallPreparation {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
 
-  WallPreparation(World& world, const RunOptions& options) : world_(world), options_(options) {}
+  WallPreparation(RunState& state, const RunOptions& options)
+      : state_(state), wall_(state.quantities.wall), options_(options) {}
 
   /// The wall that the scene describes, at rest. Throws Interrupted while it is packed: there is nothing to
   /// save yet.
@@ -30,11 +31,12 @@ class WallPreparation {
  private:
   Wall initialWall();
 
-  World& world_;
+  RunState& state_;
+  Wall& wall_;
   const RunOptions& options_;
 };
 
 /// Remarks, once a run, that the contact law's continuation acts on agents.
-void remarkOnContactLaw(World& world, const std::string& when);
+void remarkOnContactLaw(RunState& state, const std::string& when);
 
 }  // namespace restenosis

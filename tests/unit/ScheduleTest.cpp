@@ -5,40 +5,45 @@
 namespace restenosis {
 namespace {
 
-/// A part whose answers the test sets.
+/// What the test lets a part answer.
+struct Answers {
+  Verdict needs = Verdict::run(), changed = Verdict::run();
+  int runs = 0;
+  bool purpose = false;
+};
+
+/// A part that makes one quantity of another.
+template <Quantity from, Quantity to>
 struct FakePart : Part {
-  struct Answers {
-    Verdict needs = Verdict::run(), changed = Verdict::run();
-    int runs = 0;
-    bool purpose = false;
-  };
-  FakePart(std::string n, std::vector<Quantity> r, std::vector<Quantity> w, Answers& a)
-      : name_(std::move(n)), reads_(std::move(r)), writes_(std::move(w)), answers_(a) {}
+  FakePart(Quantities& quantities, std::string n, Answers& a)
+      : Part(quantities), name_(std::move(n)), answers_(a) {
+    read<from>();
+    write<to>();
+  }
   std::string_view name() const override { return name_; }
-  std::vector<Quantity> reads() const override { return reads_; }
-  std::vector<Quantity> writes() const override { return writes_; }
   bool isPurpose(const Instant&) const override { return answers_.purpose; }
   Verdict needs(Quantity, const Instant&) const override { return answers_.needs; }
   Verdict inputsChanged(const Instant&) const override { return answers_.changed; }
   void run(const Instant&) override { ++answers_.runs; }
 
   std::string name_;
-  std::vector<Quantity> reads_, writes_;
   Answers& answers_;
 };
 
 struct ScheduleTest : testing::Test {
+  template <Quantity from, Quantity to>
+  void add(const char* name, Answers& answers) {
+    schedule->add(std::make_unique<FakePart<from, to>>(quantities, name, answers));
+  }
   void build(Schedule::Mode mode) {
     schedule = std::make_unique<Schedule>(mode);
     nitricOxide.purpose = true;
-    schedule->add(std::make_unique<FakePart>("surface", std::vector{Quantity::agentPositions},
-                                             std::vector{Quantity::lumen}, surface));
-    schedule->add(std::make_unique<FakePart>("flow", std::vector{Quantity::lumen},
-                                             std::vector{Quantity::wallShearStress}, flow));
-    schedule->add(std::make_unique<FakePart>("nitricOxide", std::vector{Quantity::wallShearStress},
-                                             std::vector{Quantity::nitricOxide}, nitricOxide));
+    add<Quantity::agentPositions, Quantity::lumen>("surface", surface);
+    add<Quantity::lumen, Quantity::wallShearStress>("flow", flow);
+    add<Quantity::wallShearStress, Quantity::nitricOxide>("nitricOxide", nitricOxide);
   }
-  FakePart::Answers surface, flow, nitricOxide;
+  Quantities quantities{Wall()};
+  Answers surface, flow, nitricOxide;
   std::unique_ptr<Schedule> schedule;
 };
 
@@ -89,16 +94,25 @@ TEST_F(ScheduleTest, SkipsWhatNobodyReadsUnlessItIsThePurpose) {
 }
 
 TEST_F(ScheduleTest, AReaderFurtherUpKeepsItsWriterRunning) {
-  Schedule loop(Schedule::Mode::onChange);
-  FakePart::Answers cycle, relax;
+  schedule = std::make_unique<Schedule>(Schedule::Mode::onChange);
+  Answers cycle, relax;
   cycle.purpose = true;
-  loop.add(std::make_unique<FakePart>("relax", std::vector{Quantity::cellStates},
-                                      std::vector{Quantity::agentPositions}, relax));
-  loop.add(std::make_unique<FakePart>("cycle", std::vector{Quantity::agentPositions},
-                                      std::vector{Quantity::cellStates}, cycle));
-  loop.advance({});
+  add<Quantity::cellStates, Quantity::agentPositions>("relax", relax);
+  add<Quantity::agentPositions, Quantity::cellStates>("cycle", cycle);
+  schedule->advance({});
   EXPECT_EQ(relax.runs, 1);
   EXPECT_EQ(cycle.runs, 1);
+}
+
+TEST_F(ScheduleTest, NotesWhatAPartThatRanHasRead) {
+  build(Schedule::Mode::onChange);
+  flow.changed = Verdict::skip("lumen moved less than its tolerance");
+  schedule->advance({});
+  const auto* ran = schedule->find<FakePart<Quantity::agentPositions, Quantity::lumen>>();
+  const auto* skipped = schedule->find<FakePart<Quantity::lumen, Quantity::wallShearStress>>();
+  ASSERT_TRUE(ran && skipped);
+  EXPECT_FALSE(ran->hasNewInput());
+  EXPECT_TRUE(skipped->hasNewInput());
 }
 
 }  // namespace

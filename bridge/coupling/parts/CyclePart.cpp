@@ -20,29 +20,32 @@ std::vector<PlannedPart> CyclePart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<CyclePart> CyclePart::make(const PartContext& context) {
-  if (!context.world.scene.cellCycle) return nullptr;
-  return std::make_unique<CyclePart>(context.world);
+  RunState& run = context.run;
+  if (!run.scene.cellCycle) return nullptr;
+  return std::make_unique<CyclePart>(run.quantities, run.biology, run.scene.scene.step, run.divisions,
+                                     run.timer);
 }
 
-std::vector<Quantity> CyclePart::reads() const {
-  std::vector<Quantity> quantities{Quantity::exposure, Quantity::nitricOxide};
-  if (world_.biology.rules().readWss()) quantities.push_back(Quantity::wallShearStress);
-  return quantities;
+CyclePart::CyclePart(Quantities& quantities, Biology& biology, double step, std::uint64_t& divisions,
+                     PartTimer& timer)
+    : Part(quantities), biology_(biology), step_(step), divisions_(divisions), timer_(timer) {
+  if (biology.rules().readWss()) read<Quantity::wallShearStress>();
 }
 
 Verdict CyclePart::needs(Quantity quantity, const Instant&) const {
   if (quantity != Quantity::wallShearStress) return Verdict::run();
-  return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
+  return Verdict::unless(biology_.rules().wssChangesNothingBecause(cells_->agents));
 }
 
 void CyclePart::run(const Instant& now) {
-  auto measurement = world_.timer.measure("biology");
-  const auto steps = std::max(1L, std::lround(timeBetweenOrderings / world_.scene.scene.step));
-  if (world_.divisions > 0 && now.step % steps == 0) world_.biology.reorder(orderInSpace(world_.wall));
-  AgentStore& agents = world_.wall.agents;
-  const CycleReport report = world_.biology.advanceCycle(agents, world_.wall.bonds, now.time);
-  world_.divisions += report.divisions;
-  if (report.divisions > 0 || report.anyGrew) world_.changes.touch(Quantity::cellStates);
+  auto measurement = timer_.measure("biology");
+  const auto steps = std::max(1L, std::lround(timeBetweenOrderings / step_));
+  cells_.change([&](Wall& wall) {
+    if (divisions_ > 0 && now.step % steps == 0) biology_.reorder(orderInSpace(wall));
+    const CycleReport report = biology_.advanceCycle(wall.agents, wall.bonds, now.time);
+    divisions_ += report.divisions;
+    return report.divisions > 0 || report.anyGrew;
+  });
 }
 
 }  // namespace restenosis

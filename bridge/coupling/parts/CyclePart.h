@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -11,10 +15,11 @@ class CyclePart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<CyclePart> make(const PartContext& context);
-  explicit CyclePart(World& world) : world_(world) {}
+  /// `step`: the biological step [s]; `divisions` are added to.
+  CyclePart(Quantities& quantities, Biology& biology, double step, std::uint64_t& divisions,
+            PartTimer& timer);
+
   std::string_view name() const override { return "cycle"; }
-  std::vector<Quantity> reads() const override;
-  std::vector<Quantity> writes() const override { return {Quantity::cellStates}; }
   bool isPurpose(const Instant&) const override { return true; }
   bool appliesAt(const Instant& now) const override { return !now.last; }
   /// Wall shear stress is needed where it can turn a rule's answer (ArrestRules).
@@ -22,7 +27,13 @@ class CyclePart : public Part {
   void run(const Instant& now) override;
 
  private:
-  World& world_;
+  Read<Quantity::exposure> exposure_ = read<Quantity::exposure>();
+  Read<Quantity::nitricOxide> nitricOxide_ = read<Quantity::nitricOxide>();
+  Write<Quantity::cellStates> cells_ = write<Quantity::cellStates>();
+  Biology& biology_;
+  double step_;
+  std::uint64_t& divisions_;
+  PartTimer& timer_;
 };
 
 }  // namespace restenosis

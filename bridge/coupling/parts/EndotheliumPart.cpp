@@ -21,19 +21,19 @@ std::vector<PlannedPart> EndotheliumPart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<EndotheliumPart> EndotheliumPart::make(const PartContext& context) {
-  if (!context.world.scene.endothelium) return nullptr;
-  return std::make_unique<EndotheliumPart>(context.world);
+  RunState& run = context.run;
+  if (!run.scene.endothelium) return nullptr;
+  return std::make_unique<EndotheliumPart>(run.quantities, run.biology, run.timer);
 }
 
 Verdict EndotheliumPart::inputsChanged(const Instant& now) const {
-  if (now.time >= world_.biology.endotheliumOnset()) return Verdict::run();
+  if (now.time >= biology_.endotheliumOnset()) return Verdict::run();
   return Verdict::skip("endothelium has not begun to return");
 }
 
 void EndotheliumPart::run(const Instant& now) {
-  auto measurement = world_.timer.measure("biology");
-  world_.biology.updateEndothelium(world_.wall.agents, now.time);
-  world_.changes.touch(Quantity::coverage);
+  auto measurement = timer_.measure("biology");
+  coverage_.change([&](AgentStore& agents) { biology_.updateEndothelium(agents, now.time); });
 }
 
 }  // namespace restenosis

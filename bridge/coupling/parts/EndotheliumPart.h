@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -11,15 +14,18 @@ class EndotheliumPart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<EndotheliumPart> make(const PartContext& context);
-  explicit EndotheliumPart(World& world) : world_(world) {}
+  EndotheliumPart(Quantities& quantities, const Biology& biology, PartTimer& timer)
+      : Part(quantities), biology_(biology), timer_(timer) {}
+
   std::string_view name() const override { return "endothelium"; }
-  std::vector<Quantity> reads() const override { return {Quantity::exposure}; }
-  std::vector<Quantity> writes() const override { return {Quantity::coverage}; }
   Verdict inputsChanged(const Instant& now) const override;
   void run(const Instant& now) override;
 
  private:
-  World& world_;
+  Read<Quantity::exposure> exposure_ = read<Quantity::exposure>();
+  Write<Quantity::coverage> coverage_ = write<Quantity::coverage>();
+  const Biology& biology_;
+  PartTimer& timer_;
 };
 
 }  // namespace restenosis

@@ -12,20 +12,18 @@ std::vector<PlannedPart> ExposurePart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<ExposurePart> ExposurePart::make(const PartContext& context) {
-  if (!context.world.scene.cellCycle) return nullptr;
-  return std::make_unique<ExposurePart>(context.world);
+  RunState& run = context.run;
+  if (!run.scene.cellCycle) return nullptr;
+  return std::make_unique<ExposurePart>(run.quantities, run.biology, run.timer);
 }
 
 Verdict ExposurePart::inputsChanged(const Instant&) const {
-  if (world_.changes.changedSince(name(), Quantity::agentPositions)) return Verdict::run();
-  return Verdict::skip("no agent moved");
+  return hasNewInput() ? Verdict::run() : Verdict::skip("no agent moved");
 }
 
 void ExposurePart::run(const Instant&) {
-  auto measurement = world_.timer.measure("biology");
-  world_.biology.updateInhibition(world_.wall.agents);
-  world_.changes.markRead(name(), Quantity::agentPositions);
-  world_.changes.touch(Quantity::exposure);
+  auto measurement = timer_.measure("biology");
+  exposure_.change([&](AgentStore& agents) { biology_.updateInhibition(agents); });
 }
 
 }  // namespace restenosis

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -11,15 +14,18 @@ class ExposurePart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<ExposurePart> make(const PartContext& context);
-  explicit ExposurePart(World& world) : world_(world) {}
+  ExposurePart(Quantities& quantities, Biology& biology, PartTimer& timer)
+      : Part(quantities), biology_(biology), timer_(timer) {}
+
   std::string_view name() const override { return "exposure"; }
-  std::vector<Quantity> reads() const override { return {Quantity::agentPositions}; }
-  std::vector<Quantity> writes() const override { return {Quantity::exposure}; }
   Verdict inputsChanged(const Instant& now) const override;
   void run(const Instant& now) override;
 
  private:
-  World& world_;
+  Read<Quantity::agentPositions> positions_ = read<Quantity::agentPositions>();
+  Write<Quantity::exposure> exposure_ = write<Quantity::exposure>();
+  Biology& biology_;
+  PartTimer& timer_;
 };
 
 }  // namespace restenosis

@@ -27,7 +27,8 @@ constexpr double farFromPoiseuille = 0.5;
 }  // namespace
 
 std::unique_ptr<FlowPart> FlowPart::make(const PartContext& context) {
-  const Scene& scene = context.world.scene;
+  RunState& run = context.run;
+  const Scene& scene = run.scene;
   if (!scene.flow) return nullptr;
   auto backend = makeFlowBackend(scene.flow->backend, {.fidelity = scene.scene.fidelity,
                                                        .foam = scene.foam,
@@ -38,70 +39,86 @@ std::unique_ptr<FlowPart> FlowPart::make(const PartContext& context) {
                                                        .stopRequested = context.stopRequested});
   if (!backend) return nullptr;
   if (scene.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
-  return std::make_unique<FlowPart>(context.world, std::move(backend));
+  return std::make_unique<FlowPart>(run.quantities, scene, run.folder, run.biology.rules(), run.extraction,
+                                    run.remarks, run.timer, std::move(backend));
 }
 
-FlowPart::FlowPart(World& world, std::unique_ptr<FlowBackend> backend)
-    : world_(world), backend_(std::move(backend)), settings_(flowSettings(world.scene)) {}
+FlowPart::FlowPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder,
+                   const ArrestRules& rules, LumenExtraction& extraction, std::vector<std::string>& remarks,
+                   PartTimer& timer, std::unique_ptr<FlowBackend> backend)
+    : Part(quantities),
+      scene_(scene),
+      folder_(folder),
+      rules_(rules),
+      extraction_(extraction),
+      remarks_(remarks),
+      timer_(timer),
+      backend_(std::move(backend)),
+      settings_(flowSettings(scene)) {}
 
 Verdict FlowPart::inputsChanged(const Instant&) const {
-  if (world_.flow.solves == 0 || settings_ != world_.flow.settings) return Verdict::run();
-  if (world_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
-  const auto moved = displacement(world_.lumen.atLastFlow, world_.lumen.present);
-  if (moved.robust > world_.scene.coupling.lumenTolerance) return Verdict::run();
-  if (undecidedShareMoved() > world_.scene.coupling.undecidedShare) return Verdict::run();
+  if (flow_->solves == 0 || settings_ != flow_->settings) return Verdict::run();
+  if (scene_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
+  const auto moved = displacement(flow_->lumen, lumen_->present);
+  if (moved.robust > scene_.coupling.lumenTolerance) return Verdict::run();
+  if (undecidedShareMoved() > scene_.coupling.undecidedShare) return Verdict::run();
   return Verdict::skip("lumen moved no more than lumenTolerance");
 }
 
 double FlowPart::undecidedShareMoved() const {
-  const CouplingParameters& coupling = world_.scene.coupling;
-  const AgentStore& agents = world_.wall.agents;
-  const auto cells = world_.biology.rules().undecidedCells(agents, coupling.undecidedMargin);
+  const AgentStore& agents = *stress_;
+  const auto cells = rules_.undecidedCells(agents, scene_.coupling.undecidedMargin);
   const auto moved = std::ranges::count_if(cells, [&](Index cell) {
     const Vec3 at = agents.position(cell);
-    return std::abs(world_.lumen.present.radiusAt(at) - world_.lumen.atLastFlow.radiusAt(at)) >
-           coupling.lumenTolerance;
+    return std::abs(lumen_->present.radiusAt(at) - flow_->lumen.radiusAt(at)) >
+           scene_.coupling.lumenTolerance;
   });
   return cells.empty() ? 0 : static_cast<double>(moved) / static_cast<double>(cells.size());
 }
 
 void FlowPart::run(const Instant& now) {
-  if (world_.flow.solves == 0) requireResolution();
-  const TriSurface& lumen = world_.lumenSurface();
-  const std::filesystem::path folder = world_.folder.flowCase(now.time);
-  if (!world_.hasLoadedLumen()) {
-    auto measurement = world_.timer.measure("surface");
-    const SurfaceReport report = checkSurface(lumen, world_.wall.length);
-    if (!report.good())
-      throw FlowFailed(fmt::format("the lumen surface cannot be meshed: {}", report.summary()), folder);
-  }
-  auto measurement = world_.timer.measure("flow");
-  const FlowConditions conditions = world_.scene.flow->conditions(world_.scene.vessel.lumenDiameter);
-  const bool asBefore = settings_ == world_.flow.settings;
+  if (flow_->solves == 0) requireResolution();
+  const TriSurface& lumen = extraction_.surface();
+  const std::filesystem::path folder = folder_.flowCase(now.time);
+  requireMeshable(lumen, folder);
+  auto measurement = timer_.measure("flow");
+  flow_.change([&](FlowState& flow) { solve(flow, lumen, now); });
+  if (scene_.output.keepFlowCases == "last" && std::filesystem::exists(folder))
+    folder_.removeFlowCasesBut(std::array{folder, flow_->caseInCheckpoint});
+}
+
+void FlowPart::requireMeshable(const TriSurface& lumen, const std::filesystem::path& folder) const {
+  if (scene_.hasLoadedLumen()) return;  // looked at before the run
+  auto measurement = timer_.measure("surface");
+  const SurfaceReport report = checkSurface(lumen, wall_->length);
+  if (!report.good())
+    throw FlowFailed(fmt::format("the lumen surface cannot be meshed: {}", report.summary()), folder);
+}
+
+void FlowPart::solve(FlowState& flow, const TriSurface& lumen, const Instant& now) {
+  const std::filesystem::path folder = folder_.flowCase(now.time);
+  const FlowConditions conditions = scene_.flow->conditions(scene_.vessel.lumenDiameter);
+  const bool asBefore = settings_ == flow.settings;
   // What other settings have left is neither the mesh nor the flow that these would
-  if (world_.flow.solves > 0 && asBefore && !world_.flow.fromRest)
-    backend_->startFrom(world_.folder.flowCase(world_.flow.time));
-  world_.flow.last = backend_->solve(lumen, conditions, folder);
-  requirePoiseuille(conditions, folder);
-  world_.timer.transfer("flow", "mesh", world_.flow.last->meshSeconds);
-  if (world_.flow.solves > 0 && !asBefore) {
-    remark(now, fmt::format("solved with other settings than before: {}",
-                            settingsInPlace(world_.flow.settings, settings_)));
-    world_.flow.mixed = true;
+  if (flow.solves > 0 && asBefore && !flow.fromRest) backend_->startFrom(folder_.flowCase(flow.time));
+  flow.last = backend_->solve(lumen, conditions, folder);
+  requirePoiseuille(*flow.last, conditions, folder);
+  timer_.transfer("flow", "mesh", flow.last->meshSeconds);
+  if (flow.solves > 0 && !asBefore) {
+    remark(
+        flow, now,
+        fmt::format("solved with other settings than before: {}", settingsInPlace(flow.settings, settings_)));
+    flow.mixed = true;
   }
-  world_.flow.settings = settings_;
-  for (const auto& text : world_.flow.last->remarks) remark(now, text);
-  world_.flow.time = now.time;
-  world_.flow.fromRest = false;
-  noteStartFiles(folder);
-  ++world_.flow.solves;
-  if (world_.flow.last->meshMoved) ++world_.flow.meshesMoved;
-  if (const auto& reason = world_.flow.last->remeshedBecause; !reason.empty())
-    ++world_.flow.remeshedBecause[reason];
-  world_.lumen.atLastFlow = world_.lumen.present;
-  world_.changes.touch(Quantity::wallTraction);
-  if (world_.scene.output.keepFlowCases == "last" && std::filesystem::exists(folder))
-    world_.folder.removeFlowCasesBut(std::array{folder, world_.caseInCheckpoint});
+  flow.settings = settings_;
+  for (const auto& text : flow.last->remarks) remark(flow, now, text);
+  flow.time = now.time;
+  flow.fromRest = false;
+  flow.startFiles = startFilesOrNone(folder);
+  ++flow.solves;
+  if (flow.last->meshMoved) ++flow.meshesMoved;
+  if (const auto& reason = flow.last->remeshedBecause; !reason.empty()) ++flow.remeshedBecause[reason];
+  flow.lumen = lumen_->present;
 }
 
 FileDigests FlowPart::startFiles(const std::filesystem::path& formerCase) const {
@@ -109,24 +126,24 @@ FileDigests FlowPart::startFiles(const std::filesystem::path& formerCase) const 
   return digestsOf(formerCase, backend_->filesToStartFrom(formerCase));
 }
 
-void FlowPart::noteStartFiles(const std::filesystem::path& folder) {
+FileDigests FlowPart::startFilesOrNone(const std::filesystem::path& folder) const {
   try {
-    world_.flow.startFiles = startFiles(folder);
+    return startFiles(folder);
   } catch (const std::runtime_error&) {
-    world_.flow.startFiles.clear();  // the next solve says so when it comes to read them
+    return {};
   }
 }
 
 void FlowPart::requireResolution() const {
-  if (world_.hasLoadedLumen()) return;  // looked at before the run
-  if (const auto problem = resolutionProblem(world_.scene, Units())) throw FlowFailed(problem->message, {});
+  if (scene_.hasLoadedLumen()) return;  // looked at before the run
+  if (const auto problem = resolutionProblem(scene_, Units())) throw FlowFailed(problem->message, {});
 }
 
-void FlowPart::requirePoiseuille(const FlowConditions& conditions,
+void FlowPart::requirePoiseuille(const FlowSolution& solution, const FlowConditions& conditions,
                                  const std::filesystem::path& folder) const {
-  const VesselParameters& vessel = world_.scene.vessel;
-  if (!obeysPoiseuille(world_.scene)) return;
-  const auto error = poiseuilleError(world_.flow.last->wall, vessel.lumenDiameter, vessel.length, conditions);
+  const VesselParameters& vessel = scene_.vessel;
+  if (!obeysPoiseuille(scene_)) return;
+  const auto error = poiseuilleError(solution.wall, vessel.lumenDiameter, vessel.length, conditions);
   if (!error || std::abs(error->mean) < farFromPoiseuille) return;
   throw FlowFailed(
       fmt::format("the wall shear stress in this plain tube is off Poiseuille's law, {:.3g} Pa, by "
@@ -135,9 +152,8 @@ void FlowPart::requirePoiseuille(const FlowConditions& conditions,
       folder);
 }
 
-void FlowPart::remark(const Instant& now, const std::string& text) {
-  world_.flow.remarked.add(world_.remarks, fmt::format("flow at day {:.3f}: ", now.time / secondsPerDay),
-                           text);
+void FlowPart::remark(FlowState& flow, const Instant& now, const std::string& text) {
+  flow.remarked.add(remarks_, fmt::format("flow at day {:.3f}: ", now.time / secondsPerDay), text);
 }
 
 }  // namespace restenosis

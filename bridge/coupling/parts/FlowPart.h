@@ -4,11 +4,14 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
 #include "bridge/flow/FlowBackend.h"
+#include "tissue/biology/ArrestRules.h"
 
 namespace restenosis {
 
@@ -20,10 +23,12 @@ class FlowPart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<FlowPart> make(const PartContext& context);
-  FlowPart(World& world, std::unique_ptr<FlowBackend> backend);
+  /// The scene has [flow]. Remarks on solves are added to `remarks`.
+  FlowPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder, const ArrestRules& rules,
+           LumenExtraction& extraction, std::vector<std::string>& remarks, PartTimer& timer,
+           std::unique_ptr<FlowBackend> backend);
+
   std::string_view name() const override { return "flow"; }
-  std::vector<Quantity> reads() const override { return {Quantity::lumen}; }
-  std::vector<Quantity> writes() const override { return {Quantity::wallTraction}; }
   Verdict inputsChanged(const Instant& now) const override;
   /// Throws FlowFailed, or Occluded when the lumen has closed.
   void run(const Instant& now) override;
@@ -38,12 +43,26 @@ class FlowPart : public Part {
   /// Refuses a lumen that is too narrow, too short or too large for the backend as the scene gives it. Later
   /// ones may be narrower: tissue grows. Throws FlowFailed.
   void requireResolution() const;
-  void noteStartFiles(const std::filesystem::path& folder);
-  /// Throws FlowFailed where the exact answer is known, and the last solution is far from it.
-  void requirePoiseuille(const FlowConditions& conditions, const std::filesystem::path& folder) const;
-  void remark(const Instant& now, const std::string& text);
+  /// Throws FlowFailed.
+  void requireMeshable(const TriSurface& lumen, const std::filesystem::path& folder) const;
+  void solve(FlowState& flow, const TriSurface& lumen, const Instant& now);
+  /// Throws FlowFailed where the exact answer is known, and the solution is far from it.
+  void requirePoiseuille(const FlowSolution& solution, const FlowConditions& conditions,
+                         const std::filesystem::path& folder) const;
+  /// The same as startFiles, or none where they cannot be read: the next solve says so when it comes to them.
+  FileDigests startFilesOrNone(const std::filesystem::path& folder) const;
+  void remark(FlowState& flow, const Instant& now, const std::string& text);
 
-  World& world_;
+  Read<Quantity::lumen> lumen_ = read<Quantity::lumen>();
+  Write<Quantity::wallTraction> flow_ = write<Quantity::wallTraction>();
+  Read<Quantity::wallShearStress> stress_ = observe<Quantity::wallShearStress>();
+  Read<Quantity::agentPositions> wall_ = observe<Quantity::agentPositions>();
+  const Scene& scene_;
+  const ResultsFolder& folder_;
+  const ArrestRules& rules_;
+  LumenExtraction& extraction_;
+  std::vector<std::string>& remarks_;
+  PartTimer& timer_;
   std::unique_ptr<FlowBackend> backend_;
   std::map<std::string, std::string> settings_;  ///< flowSettings of the scene
 };

@@ -12,20 +12,17 @@ std::vector<PlannedPart> LumenPart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<LumenPart> LumenPart::make(const PartContext& context) {
-  return std::make_unique<LumenPart>(context.world);
+  return std::make_unique<LumenPart>(context.run.quantities, context.run.extraction);
 }
 
 Verdict LumenPart::inputsChanged(const Instant&) const {
-  const bool changed = world_.changes.changedSince(name(), Quantity::agentPositions);
-  if (changed || world_.lumen.closed) return Verdict::run();
+  if (hasNewInput() || lumen_->closed) return Verdict::run();
   return Verdict::skip("no agent moved");
 }
 
 void LumenPart::run(const Instant& now) {
-  world_.updateLumen();
-  world_.changes.markRead(name(), Quantity::agentPositions);
-  world_.changes.touch(Quantity::lumen);
-  if (world_.lumen.closed && looksForOcclusion(now)) throw Occluded();
+  lumen_.change([&](LumenState& lumen) { extraction_.extract(lumen); });
+  if (lumen_->closed && looksForOcclusion(now)) throw Occluded();
 }
 
 }  // namespace restenosis

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -14,10 +18,10 @@ class LumenPart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<LumenPart> make(const PartContext& context);
-  explicit LumenPart(World& world) : world_(world) {}
+  LumenPart(Quantities& quantities, LumenExtraction& extraction)
+      : Part(quantities), extraction_(extraction) {}
+
   std::string_view name() const override { return "lumen"; }
-  std::vector<Quantity> reads() const override { return {Quantity::agentPositions}; }
-  std::vector<Quantity> writes() const override { return {Quantity::lumen}; }
   bool isPurpose(const Instant& now) const override { return looksForOcclusion(now); }
   Verdict inputsChanged(const Instant& now) const override;
   /// Throws Occluded, once a day, when the lumen has closed.
@@ -26,7 +30,9 @@ class LumenPart : public Part {
  private:
   static bool looksForOcclusion(const Instant& now) { return now.endsDay || now.last; }
 
-  World& world_;
+  Read<Quantity::agentPositions> positions_ = read<Quantity::agentPositions>();
+  Write<Quantity::lumen> lumen_ = write<Quantity::lumen>();
+  LumenExtraction& extraction_;
 };
 
 }  // namespace restenosis

@@ -11,19 +11,19 @@ std::vector<PlannedPart> NitricOxidePart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<NitricOxidePart> NitricOxidePart::make(const PartContext& context) {
-  if (!context.world.scene.endothelium) return nullptr;
-  return std::make_unique<NitricOxidePart>(context.world);
+  RunState& run = context.run;
+  if (!run.scene.endothelium) return nullptr;
+  return std::make_unique<NitricOxidePart>(run.quantities, run.biology, run.timer);
 }
 
 Verdict NitricOxidePart::needs(Quantity quantity, const Instant&) const {
   if (quantity != Quantity::wallShearStress) return Verdict::run();
-  return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
+  return Verdict::unless(biology_.rules().wssChangesNothingBecause(*stress_));
 }
 
 void NitricOxidePart::run(const Instant&) {
-  auto measurement = world_.timer.measure("biology");
-  world_.biology.updateNitricOxide(world_.wall.agents);
-  world_.changes.touch(Quantity::nitricOxide);
+  auto measurement = timer_.measure("biology");
+  nitricOxide_.change([&](AgentStore& agents) { biology_.updateNitricOxide(agents); });
 }
 
 }  // namespace restenosis

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -11,16 +14,20 @@ class NitricOxidePart : public Part {
  public:
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<NitricOxidePart> make(const PartContext& context);
-  explicit NitricOxidePart(World& world) : world_(world) {}
+  NitricOxidePart(Quantities& quantities, const Biology& biology, PartTimer& timer)
+      : Part(quantities), biology_(biology), timer_(timer) {}
+
   std::string_view name() const override { return "nitricOxide"; }
-  std::vector<Quantity> reads() const override { return {Quantity::wallShearStress, Quantity::coverage}; }
-  std::vector<Quantity> writes() const override { return {Quantity::nitricOxide}; }
   /// Wall shear stress is needed where it can turn a rule's answer (ArrestRules).
   Verdict needs(Quantity quantity, const Instant& now) const override;
   void run(const Instant& now) override;
 
  private:
-  World& world_;
+  Read<Quantity::wallShearStress> stress_ = read<Quantity::wallShearStress>();
+  Read<Quantity::coverage> coverage_ = read<Quantity::coverage>();
+  Write<Quantity::nitricOxide> nitricOxide_ = write<Quantity::nitricOxide>();
+  const Biology& biology_;
+  PartTimer& timer_;
 };
 
 }  // namespace restenosis

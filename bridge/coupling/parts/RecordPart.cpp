@@ -1,6 +1,7 @@
 #include "bridge/coupling/parts/RecordPart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bridge/output/LumenWriter.h"
 #include "bridge/output/TissueWriter.h"
@@ -9,56 +10,87 @@
 
 namespace restenosis {
 
+namespace {
+
+/// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
+std::pair<double, double> measuredSection(const std::optional<Stent>& stent, double length) {
+  if (!stent || stent->segments.empty()) return {0.0, length};
+  double from = length, to = 0.0, width = 0.0;
+  for (const auto& segment : stent->segments) {
+    from = std::min({from, segment.a.z(), segment.b.z()});
+    to = std::max({to, segment.a.z(), segment.b.z()});
+    width = std::max(width, segment.width);
+  }
+  // The tissue beside the outermost struts belongs to the stented section (assumed: 2.5 strut widths from
+  // their centre).
+  const double margin = 2.5 * width;
+  return {std::max(0.0, from - margin), std::min(length, to + margin)};
+}
+
+}  // namespace
+
 std::vector<PlannedPart> RecordPart::explain(const Scene&) { return {}; }
 
 std::unique_ptr<RecordPart> RecordPart::make(const PartContext& context) {
-  return std::make_unique<RecordPart>(context.world);
+  RunState& run = context.run;
+  return std::make_unique<RecordPart>(run.quantities, run.scene, run.folder, run.biology, run.extraction,
+                                      run.stent, run.divisions, run.timer);
 }
 
-RecordPart::RecordPart(World& world)
-    : world_(world),
-      timeSeries_(world.folder.timeSeries()),
-      tissue_(world.folder.path(), "tissue"),
-      lumen_(world.folder.path(), "lumen") {}
-
-std::vector<Quantity> RecordPart::reads() const {
-  return {Quantity::cellStates, Quantity::agentPositions, Quantity::exposure,        Quantity::coverage,
-          Quantity::lumen,      Quantity::wallTraction,   Quantity::wallShearStress, Quantity::nitricOxide};
+RecordPart::RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder,
+                       const Biology& biology, LumenExtraction& extraction, const std::optional<Stent>& stent,
+                       const std::uint64_t& divisions, PartTimer& timer)
+    : Part(quantities),
+      scene_(scene),
+      biology_(biology),
+      extraction_(extraction),
+      stent_(stent),
+      divisions_(divisions),
+      timer_(timer),
+      timeSeries_(folder.timeSeries()),
+      tissue_(folder.path(), "tissue"),
+      lumenFiles_(folder.path(), "lumen") {
+  // All that lives in the agents is written with them
+  read<Quantity::agentPositions>();
+  read<Quantity::exposure>();
+  read<Quantity::coverage>();
+  read<Quantity::wallShearStress>();
+  read<Quantity::nitricOxide>();
 }
 
 Verdict RecordPart::needs(Quantity quantity, const Instant& now) const {
   // Where there is tissue, flow is a means to its growth, and what its rules need is what is recorded;
   // without, flow is what the scene is about.
   const bool flow = quantity == Quantity::wallTraction || quantity == Quantity::wallShearStress;
-  if (flow && world_.scene.hasTissue())
-    return Verdict::unless(world_.biology.rules().wssChangesNothingBecause(world_.wall.agents));
+  if (flow && scene_.hasTissue())
+    return Verdict::unless(biology_.rules().wssChangesNothingBecause(wall_->agents));
   return now.recorded ? Verdict::run() : Verdict::skip("nothing is recorded in this step");
 }
 
 void RecordPart::begin() {
   timeSeries_.begin();
-  if (world_.scene.hasTissue()) tissue_.begin();
-  lumen_.begin();
+  if (scene_.hasTissue()) tissue_.begin();
+  lumenFiles_.begin();
 }
 
 void RecordPart::run(const Instant& now) {
-  auto measurement = world_.timer.measure("output");
+  auto measurement = timer_.measure("output");
   timeSeries_.append(row(now));
-  const FlowSolution* flow = world_.flow.last ? &*world_.flow.last : nullptr;
-  if (world_.scene.hasTissue()) {
-    writeTissue(tissue_.dataFile(now.step), world_.wall.agents, now.time);
+  const FlowSolution* flow = flow_->last ? &*flow_->last : nullptr;
+  if (scene_.hasTissue()) {
+    writeTissue(tissue_.dataFile(now.step), wall_->agents, now.time);
     tissue_.add(now.step, now.time);
   }
-  if (!world_.lumen.closed) {
-    const RadialMap* postDeployment = world_.scene.hasTissue() ? &world_.lumen.afterDeployment : nullptr;
-    writeLumen(lumen_.dataFile(now.step), world_.lumenSurface(), flow, now.time, postDeployment);
-    lumen_.add(now.step, now.time);
+  if (!lumen_->closed) {
+    const RadialMap* postDeployment = scene_.hasTissue() ? &lumen_->afterDeployment : nullptr;
+    writeLumen(lumenFiles_.dataFile(now.step), extraction_.surface(), flow, now.time, postDeployment);
+    lumenFiles_.add(now.step, now.time);
   }
-  world_.flow.solvesRecorded = world_.flow.solves;
+  solvesRecorded_ = flow_->solves;
 }
 
 TimeSeriesRow RecordPart::row(const Instant& now) const {
-  const AgentStore& agents = world_.wall.agents;
+  const AgentStore& agents = wall_->agents;
   const StateCounts counts = countStates(agents);
   TimeSeriesRow row;
   row.time = now.time;
@@ -66,11 +98,11 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
   row.smc = counts.smc;
   row.iel = static_cast<std::uint64_t>(std::ranges::count(agents.kind, AgentKind::iel));
   row.eel = static_cast<std::uint64_t>(std::ranges::count(agents.kind, AgentKind::eel));
-  row.divisions = world_.divisions;
+  row.divisions = divisions_;
   row.g0 = counts.g0, row.g1 = counts.g1, row.sg2m = counts.sg2m;
   row.synthetic = counts.synthetic, row.inhibited = counts.inhibited;
   row.covered = counts.covered, row.exposed = counts.exposed;
-  if (world_.scene.endothelium) row.coverage = counts.coverage();
+  if (scene_.endothelium) row.coverage = counts.coverage();
   double stress = 0, nitricOxide = 0;
   for (Index i = 0; i < agents.size(); ++i) {
     if (agents.kind[i] != AgentKind::smc) continue;
@@ -85,25 +117,24 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
 }
 
 void RecordPart::measureLumen(TimeSeriesRow& row) const {
-  if (world_.hasLoadedLumen()) return;
-  const LumenState& lumen = world_.lumen;
-  const auto [from, to] = world_.measuredSection();
+  if (scene_.hasLoadedLumen()) return;
+  const LumenState& lumen = *lumen_;
+  const auto [from, to] = measuredSection(stent_, wall_->length);
   row.minLumenArea = lumen.present.minimalArea(from, to);
-  if (!world_.scene.hasTissue()) return;
+  if (!scene_.hasTissue()) return;
   const Neointima neointima = measureNeointima(lumen.afterDeployment, lumen.present, from, to);
   row.neointimaThickness = neointima.meanThickness;
   row.neointimaAreaFraction = neointima.meanAreaFraction;
   row.neointimaThicknessMax = *std::ranges::max_element(neointima.thickness);
-  if (world_.flow.solves > 0) row.lumenMovement = displacement(lumen.atLastFlow, lumen.present).robust;
+  if (flow_->solves > 0) row.lumenMovement = displacement(flow_->lumen, lumen.present).robust;
 }
 
 void RecordPart::measureFlow(TimeSeriesRow& row) const {
-  row.flowSolves = world_.flow.solves;
-  row.flowSolved = world_.flow.solves > world_.flow.solvesRecorded ? 1 : 0;
-  if (!world_.flow.last) return;
-  const double threshold =
-      world_.biology.hasEndothelium() ? world_.biology.arrestingWss() : restenosis::lowWss;
-  const WssStatistics wall = wssStatistics(world_.flow.last->wall, SurfaceRegion::wall, threshold);
+  row.flowSolves = flow_->solves;
+  row.flowSolved = flow_->solves > solvesRecorded_ ? 1 : 0;
+  if (!flow_->last) return;
+  const double threshold = biology_.hasEndothelium() ? biology_.arrestingWss() : restenosis::lowWss;
+  const WssStatistics wall = wssStatistics(flow_->last->wall, SurfaceRegion::wall, threshold);
   row.wssMean = wall.mean;
   row.wssLowAreaFraction = wall.lowAreaFraction;
   row.wssP5 = wall.p5, row.wssP50 = wall.median, row.wssP95 = wall.p95;

@@ -1,5 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -14,24 +20,27 @@ class RecordPart : public Part {
   /// Nothing: every run records.
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<RecordPart> make(const PartContext& context);
-  explicit RecordPart(World& world);
+  /// `stent` is where it stands after deployment; `divisions` are those since then.
+  RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder, const Biology& biology,
+             LumenExtraction& extraction, const std::optional<Stent>& stent, const std::uint64_t& divisions,
+             PartTimer& timer);
+
   std::string_view name() const override { return "record"; }
-  std::vector<Quantity> reads() const override;
-  std::vector<Quantity> writes() const override { return {}; }
   bool isPurpose(const Instant&) const override { return true; }
   bool appliesAt(const Instant& now) const override { return now.recorded; }
   Verdict needs(Quantity quantity, const Instant& now) const override;
   void run(const Instant& now) override;
 
-  /// Starts the files: empty ones, or those of the state that was read by `archive`.
+  /// Starts the files: empty ones, or those of the state that was read by `archiveFiles`.
   void begin();
   /// Nothing more is recorded. Throws WriteFailed.
   void end() { timeSeries_.end(); }
   const TimeSeries& timeSeries() const { return timeSeries_; }
 
+  /// What has been recorded: part of a checkpoint.
   template <class Archive>
-  void archive(Archive& a) {
-    a(timeSeries_, tissue_, lumen_);
+  void archiveFiles(Archive& a) {
+    a(timeSeries_, tissue_, lumenFiles_, solvesRecorded_);
   }
 
  private:
@@ -39,9 +48,18 @@ class RecordPart : public Part {
   void measureLumen(TimeSeriesRow& row) const;
   void measureFlow(TimeSeriesRow& row) const;
 
-  World& world_;
+  Read<Quantity::cellStates> wall_ = read<Quantity::cellStates>();
+  Read<Quantity::lumen> lumen_ = read<Quantity::lumen>();
+  Read<Quantity::wallTraction> flow_ = read<Quantity::wallTraction>();
+  const Scene& scene_;
+  const Biology& biology_;
+  LumenExtraction& extraction_;
+  const std::optional<Stent>& stent_;
+  const std::uint64_t& divisions_;
+  PartTimer& timer_;
   TimeSeries timeSeries_;
-  PvdSeries tissue_, lumen_;
+  PvdSeries tissue_, lumenFiles_;
+  std::uint64_t solvesRecorded_ = 0;  ///< solves of the flow before the last recorded state
 };
 
 }  // namespace restenosis

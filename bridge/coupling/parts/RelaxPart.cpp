@@ -13,40 +13,47 @@ std::vector<PlannedPart> RelaxPart::explain(const Scene& scene) {
 }
 
 std::unique_ptr<RelaxPart> RelaxPart::make(const PartContext& context) {
-  if (!context.world.scene.hasTissue()) return nullptr;
-  return std::make_unique<RelaxPart>(context.world);
+  RunState& run = context.run;
+  if (!run.scene.hasTissue()) return nullptr;
+  return std::make_unique<RelaxPart>(run.quantities, run.scene, run.confinement, run.extraction,
+                                     run.relaxation, run.timer);
 }
 
-RelaxPart::RelaxPart(World& world)
-    : world_(world),
-      relaxation_(*world.scene.mechanics, *world.scene.relaxation, world.scene.vessel.cellRadius),
-      ends_(world.wall.length) {}
+RelaxPart::RelaxPart(Quantities& quantities, const Scene& scene, const OuterConfinement& confinement,
+                     LumenExtraction& extraction, RelaxationWork& work, PartTimer& timer)
+    : Part(quantities),
+      scene_(scene),
+      confinement_(confinement),
+      extraction_(extraction),
+      work_(work),
+      timer_(timer),
+      relaxation_(*scene.mechanics, *scene.relaxation, scene.vessel.cellRadius),
+      ends_(cells_->length) {}
 
 Verdict RelaxPart::inputsChanged(const Instant&) const {
-  if (world_.changes.changedSince(name(), Quantity::cellStates)) return Verdict::run();
-  return Verdict::skip("no cell grew or divided");
+  return hasNewInput() ? Verdict::run() : Verdict::skip("no cell grew or divided");
 }
 
 void RelaxPart::run(const Instant& now) {
-  auto measurement = world_.timer.measure("relax");
-  world_.forgetLumen();
-  const std::array<const Constraint*, 2> constraints{&world_.confinement, &ends_};
-  const MechanicsParameters& mechanics = *world_.scene.mechanics;
-  AgentStore& agents = world_.wall.agents;
-  BondTable& bonds = world_.wall.bonds;
-  RelaxationReport report = relaxation_.relaxAgain(agents, bonds, constraints);
-  while (breakStrainedBonds(agents, bonds, mechanics.bondStrainLimit) > 0)
-    report.goOnWith(relaxation_.relax(agents, bonds, constraints));
-  // At rest, so that the new bonds carry nothing
-  if (mechanics.bondDaughters && bondDaughters(agents, bonds, world_.scene.vessel.bondRange) > 0)
-    relaxation_.forget();
-  world_.relaxation.iterations += static_cast<std::uint64_t>(report.iterations);
-  world_.relaxation.agentEvaluations += report.agentEvaluations;
-  world_.relaxation.residual = report.residual;
+  auto measurement = timer_.measure("relax");
+  extraction_.release();
+  positions_.change([&](Wall& wall) { relax(wall); });
   // What is recorded is copied: the relaxation makes room, or both together would be the peak of memory.
   if (now.recorded) relaxation_.forget();
-  world_.changes.markRead(name(), Quantity::cellStates);
-  world_.changes.touch(Quantity::agentPositions);
+}
+
+void RelaxPart::relax(Wall& wall) {
+  const std::array<const Constraint*, 2> constraints{&confinement_, &ends_};
+  const MechanicsParameters& mechanics = *scene_.mechanics;
+  RelaxationReport report = relaxation_.relaxAgain(wall.agents, wall.bonds, constraints);
+  while (breakStrainedBonds(wall.agents, wall.bonds, mechanics.bondStrainLimit) > 0)
+    report.goOnWith(relaxation_.relax(wall.agents, wall.bonds, constraints));
+  // At rest, so that the new bonds carry nothing
+  if (mechanics.bondDaughters && bondDaughters(wall.agents, wall.bonds, scene_.vessel.bondRange) > 0)
+    relaxation_.forget();
+  work_.iterations += static_cast<std::uint64_t>(report.iterations);
+  work_.agentEvaluations += report.agentEvaluations;
+  work_.residual = report.residual;
 }
 
 }  // namespace restenosis

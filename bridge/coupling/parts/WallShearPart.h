@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
@@ -13,19 +16,24 @@ class WallShearPart : public Part {
   /// Nothing: it goes with the flow.
   static std::vector<PlannedPart> explain(const Scene& scene);
   static std::unique_ptr<WallShearPart> make(const PartContext& context);
-  explicit WallShearPart(World& world) : world_(world) {}
+  /// The scene has [flow].
+  WallShearPart(Quantities& quantities, const Scene& scene, PartTimer& timer)
+      : Part(quantities), scene_(scene), timer_(timer) {}
+
   std::string_view name() const override { return "wallShear"; }
-  std::vector<Quantity> reads() const override {
-    return {Quantity::wallTraction, Quantity::exposure, Quantity::agentPositions, Quantity::lumen};
-  }
-  std::vector<Quantity> writes() const override { return {Quantity::wallShearStress}; }
   Verdict inputsChanged(const Instant& now) const override;
   void run(const Instant& now) override;
 
  private:
-  void followLumen();
+  void followLumen(AgentStore& agents) const;
 
-  World& world_;
+  Read<Quantity::wallTraction> flow_ = read<Quantity::wallTraction>();
+  Read<Quantity::exposure> exposure_ = read<Quantity::exposure>();
+  Read<Quantity::agentPositions> positions_ = read<Quantity::agentPositions>();
+  Read<Quantity::lumen> lumen_ = read<Quantity::lumen>();
+  Write<Quantity::wallShearStress> stress_ = write<Quantity::wallShearStress>();
+  const Scene& scene_;
+  PartTimer& timer_;
 };
 
 }  // namespace restenosis

@@ -1,0 +1,35 @@
+#include "bridge/coupling/RunState.h"
+
+#include "bridge/scene/SceneFingerprint.h"
+
+namespace restenosis {
+
+RunState::RunState(const Scene& s, const ResultsFolder& f, Progress& p)
+    : scene(s),
+      folder(f),
+      progress(p),
+      quantities(emptyWall(s.vessel)),
+      extraction(scene, quantities.wall, stent, timer),
+      biology(biologySettings(s)) {}
+
+void RunState::remark(const std::string& text) {
+  if (text.empty()) return;
+  remarks.push_back(text);
+  progress.message(text);
+}
+
+bool RunState::lastFlowHasTheseSettings() const { return quantities.flow.hasSettings(flowSettings(scene)); }
+
+BiologySettings biologySettings(const Scene& scene) {
+  BiologySettings settings;
+  settings.cellCycle = scene.cellCycle;
+  settings.contactInhibition = scene.contactInhibition;
+  settings.endothelium = scene.endothelium;
+  settings.denuded = !scene.injury || scene.injury->denuded();
+  settings.seed = static_cast<std::uint64_t>(scene.scene.seed);
+  settings.step = scene.scene.step;
+  settings.vesselLength = scene.vessel.length;
+  return settings;
+}
+
+}  // namespace restenosis

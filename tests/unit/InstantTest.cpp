@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "bridge/coupling/Instant.h"
+#include "tissue/parameters/SecondsPerDay.h"
+
+namespace restenosis {
+namespace {
+
+TEST(Instant, KnowsDaysRecordsAndTheLastStep) {
+  Scene scene;
+  scene.scene.duration = 2 * secondsPerDay;
+  scene.scene.step = 7 * 3600;
+  scene.output.interval = 0.5 * secondsPerDay;
+  EXPECT_EQ(stepCount(scene.scene), 7u);
+  const auto at = [&](std::uint32_t step) { return instantOf(scene, step); };
+  EXPECT_EQ(at(3).time, 21 * 3600);
+  EXPECT_TRUE(at(0).recorded);
+  EXPECT_FALSE(at(1).recorded);
+  EXPECT_TRUE(at(2).recorded) << "14 h are next to 12 h";
+  EXPECT_TRUE(at(3).endsDay) << "21 h are next to a day";
+  EXPECT_FALSE(at(4).endsDay);
+  EXPECT_FALSE(at(6).last);
+  EXPECT_TRUE(at(7).last);
+  EXPECT_TRUE(at(7).recorded);
+}
+
+TEST(Instant, OfAMultipleHalfwayBetweenTwoStepsTheFirstIsTaken) {
+  EXPECT_TRUE(nextToMultiple(10, 15, 10));
+  EXPECT_FALSE(nextToMultiple(20, 15, 10));
+  EXPECT_TRUE(nextToMultiple(20, 1, 10)) << "every step holds several";
+}
+
+}  // namespace
+}  // namespace restenosis
