@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "bridge/coupling/RunState.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/foam/FoamRequirements.h"
 #include "bridge/flow/foam/FoamTemplate.h"
 #include "bridge/scene/FlowResolution.h"
+#include "bridge/scene/SceneBiology.h"
 #include "bridge/scene/Units.h"
 
 namespace restenosis {
@@ -32,7 +32,7 @@ std::string noFlowBecause(const Scene& scene, const ArrestRules& rules) {
 
 bool obeysPoiseuille(const Scene& scene) {
   return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
-         scene.flow->drive == "flowRate";
+         scene.flow->keeps() == FlowConditions::Drive::flowRate;
 }
 
 std::string turbulenceForecast(const Scene& scene) {

@@ -96,8 +96,7 @@ void Run::grow() {
 }
 
 void Run::buildSchedule() {
-  const bool everyStep = scene_.coupling.schedule == "everyStep";
-  schedule_ = std::make_unique<Schedule>(everyStep ? Schedule::Mode::everyStep : Schedule::Mode::onChange);
+  schedule_ = std::make_unique<Schedule>(scene_.coupling.scheduleMode());
   // Not archived: where the stent stands after deployment follows from the scene.
   if (scene_.stent && !state_.stent)
     state_.stent = makeStent(*scene_.stent, scene_.vessel).movedOutwards(scene_.stent->deploymentDepth);

@@ -1,5 +1,6 @@
 #include "bridge/coupling/RunState.h"
 
+#include "bridge/scene/SceneBiology.h"
 #include "bridge/scene/SceneFingerprint.h"
 
 namespace restenosis {
@@ -19,17 +20,5 @@ void RunState::remark(const std::string& text) {
 }
 
 bool RunState::lastFlowHasTheseSettings() const { return quantities.flow.hasSettings(flowSettings(scene)); }
-
-BiologySettings biologySettings(const Scene& scene) {
-  BiologySettings settings;
-  settings.cellCycle = scene.cellCycle;
-  settings.contactInhibition = scene.contactInhibition;
-  settings.endothelium = scene.endothelium;
-  settings.denuded = !scene.injury || scene.injury->denuded();
-  settings.seed = static_cast<std::uint64_t>(scene.scene.seed);
-  settings.step = scene.scene.step;
-  settings.vesselLength = scene.vessel.length;
-  return settings;
-}
 
 }  // namespace restenosis

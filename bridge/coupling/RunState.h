@@ -69,7 +69,4 @@ struct RunState {
   }
 };
 
-/// The settings of a scene's biology.
-BiologySettings biologySettings(const Scene& scene);
-
 }  // namespace restenosis

@@ -32,7 +32,7 @@ void Schedule::advance(const Instant& now) {
 }
 
 Verdict Schedule::decide(std::size_t part, const Instant& now) const {
-  if (mode_ == Mode::everyStep) return Verdict::run();
+  if (mode_ == ScheduleMode::everyStep) return Verdict::run();
   if (Verdict verdict = needed(part, now); !verdict.yes) return verdict;
   return parts_[part]->inputsChanged(now);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bridge/coupling/Part.h"
+#include "bridge/scene/RunParameters.h"
 
 namespace restenosis {
 
@@ -27,9 +28,7 @@ struct PartCount {
 /// reads runs for its own sake. With `everyStep`, every part runs in every step: the reference (T6).
 class Schedule {
  public:
-  enum class Mode { onChange, everyStep };
-
-  explicit Schedule(Mode mode) : mode_(mode) {}
+  explicit Schedule(ScheduleMode mode) : mode_(mode) {}
 
   /// Appends a part. Readers come after the writers they read within a step.
   void add(std::unique_ptr<Part> part);
@@ -57,7 +56,7 @@ class Schedule {
  private:
   Verdict needed(std::size_t part, const Instant& now) const;
 
-  Mode mode_;
+  ScheduleMode mode_;
   std::vector<std::unique_ptr<Part>> parts_;
   std::map<std::string, PartCount> counts_;
 };

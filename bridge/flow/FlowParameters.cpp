@@ -1,17 +1,28 @@
 #include "bridge/flow/FlowParameters.h"
 
+#include <array>
 #include <numbers>
 
 #include "bridge/flow/FlowBackendNames.h"
+#include "tissue/parameters/NamedTable.h"
 
 namespace restenosis {
+namespace {
+
+constexpr std::array drives{
+    Named<FlowConditions::Drive>{"flowRate", FlowConditions::Drive::flowRate},
+    Named<FlowConditions::Drive>{"pressureGradient", FlowConditions::Drive::pressureGradient}};
+
+}  // namespace
+
+FlowConditions::Drive FlowParameters::keeps() const { return findNamed(drives, "flow.drive", drive).value; }
 
 void FlowParameters::describe(ParameterVisitor& p) {
   p.choice(backend, flowBackendNames::all(),
            {.key = "backend",
             .source = "model 8",
             .description = "OpenFOAM, lattice Boltzmann, Poiseuille from the local radius, or no flow"});
-  p.choice(drive, {"flowRate", "pressureGradient"},
+  p.choice(drive, namesOf(drives),
            {.key = "drive", .source = "model 8", .description = "what stays fixed while the lumen narrows"});
   p.quantity(meanVelocity, {.key = "meanVelocity",
                             .unit = "m/s",
@@ -53,13 +64,13 @@ double FlowParameters::drivenVelocity(double lumenDiameter) const {
 }
 
 double FlowParameters::reynoldsNumber(double lumenDiameter) const {
-  const double velocity = drive == "flowRate" ? meanVelocity : drivenVelocity(lumenDiameter);
+  const double velocity =
+      keeps() == FlowConditions::Drive::flowRate ? meanVelocity : drivenVelocity(lumenDiameter);
   return velocity * lumenDiameter / kinematicViscosity;
 }
 
 FlowConditions FlowParameters::conditions(double lumenDiameter) const {
-  return {.drive =
-              drive == "flowRate" ? FlowConditions::Drive::flowRate : FlowConditions::Drive::pressureGradient,
+  return {.drive = keeps(),
           .flowRate = meanVelocity * std::numbers::pi * lumenDiameter * lumenDiameter / 4.0,
           .pressureGradient = pressureGradient,
           .density = density,

@@ -19,7 +19,7 @@ struct FlowParameters {
   static constexpr double slowest = 1e-9;
 
   std::string backend = "foam";
-  std::string drive = "flowRate";
+  std::string drive = "flowRate";      ///< see keeps
   double meanVelocity = 0.133;         ///< in the undeformed lumen [m/s]
   double pressureGradient = 3547.0;    ///< -dp/dz [Pa/m]; what meanVelocity needs in a lumen of 1.8 mm
   double density = 1000.0;             ///< [kg/m^3]
@@ -27,6 +27,9 @@ struct FlowParameters {
   double straightEnds = 0.0;           ///< of straight tube before the inlet and behind the outlet [m]
 
   void describe(ParameterVisitor& p);
+  /// What stays fixed while the lumen narrows, as `drive` says. Throws std::invalid_argument for a word that
+  /// is none of its.
+  FlowConditions::Drive keeps() const;
   /// The conditions a backend solves for; the flow rate is the mean velocity times the undeformed lumen's
   /// area.
   FlowConditions conditions(double lumenDiameter) const;

@@ -1,6 +1,33 @@
 #include "bridge/scene/RunParameters.h"
 
+#include <array>
+
+#include "tissue/parameters/NamedTable.h"
+
 namespace restenosis {
+namespace {
+
+constexpr std::array schedules{Named<ScheduleMode>{"onChange", ScheduleMode::onChange},
+                               Named<ScheduleMode>{"everyStep", ScheduleMode::everyStep}};
+constexpr std::array stressUpdates{Named<bool>{"firstOrder", true}, Named<bool>{"none", false}};
+constexpr std::array remeshings{Named<bool>{"always", false}, Named<bool>{"onDemand", true}};
+constexpr std::array keptFlowCases{Named<bool>{"last", false}, Named<bool>{"all", true}};
+
+}  // namespace
+
+ScheduleMode CouplingParameters::scheduleMode() const {
+  return findNamed(schedules, "coupling.schedule", schedule).value;
+}
+
+bool CouplingParameters::stressFollowsLumen() const {
+  return findNamed(stressUpdates, "coupling.stressUpdate", stressUpdate).value;
+}
+
+bool CouplingParameters::movesMesh() const { return findNamed(remeshings, "coupling.remesh", remesh).value; }
+
+bool OutputParameters::keepsAllFlowCases() const {
+  return findNamed(keptFlowCases, "output.keepFlowCases", keepFlowCases).value;
+}
 
 void SceneParameters::describe(ParameterVisitor& p) {
   p.text(title, {.key = "title", .source = "none", .description = "a line for people"});
@@ -26,7 +53,7 @@ void SceneParameters::describe(ParameterVisitor& p) {
 }
 
 void CouplingParameters::describe(ParameterVisitor& p) {
-  p.choice(schedule, {"onChange", "everyStep"},
+  p.choice(schedule, namesOf(schedules),
            {.key = "schedule",
             .source = "model 9",
             .description = "solve the flow when its answer may have changed, "
@@ -50,7 +77,7 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                               .source = "docs/results/coupling.md",
                               .description = "share of these cells at which the lumen may have moved by more "
                                              "than lumenTolerance"});
-  p.choice(stressUpdate, {"firstOrder", "none"},
+  p.choice(stressUpdate, namesOf(stressUpdates),
            {.key = "stressUpdate",
             .source = "docs/model/coupling.md",
             .description = "how the stress on cells follows the lumen between two solves of the flow"});
@@ -69,7 +96,7 @@ void CouplingParameters::describe(ParameterVisitor& p) {
               .description = "spacing of the distance field that the lumen is taken from; without "
                              "tissue there is none"});
   p.choice(
-      remesh, {"always", "onDemand"},
+      remesh, namesOf(remeshings),
       {.key = "remesh",
        .source = "model 9",
        .description = "mesh each lumen afresh with snappyHexMesh, or move the last mesh while that is good "
@@ -92,7 +119,7 @@ void OutputParameters::describe(ParameterVisitor& p) {
               .minimumAllowed = false,
               .source = "none",
               .description = "simulated time between checkpoints, beside one about every 30 s of work"});
-  p.choice(keepFlowCases, {"last", "all"},
+  p.choice(keepFlowCases, namesOf(keptFlowCases),
            {.key = "keepFlowCases", .source = "none", .description = "OpenFOAM cases to keep"});
   p.boolean(pictures, {.key = "pictures",
                        .source = "none",

@@ -22,21 +22,30 @@ struct SceneParameters {
   void describe(ParameterVisitor& p);
 };
 
+/// When parts of the loop run: each only when its answer may have changed, or all in every step (T6).
+enum class ScheduleMode : std::uint8_t { onChange, everyStep };
+
 /// When which part of the loop runs (model 9).
 struct CouplingParameters {
   static constexpr std::string_view section = "coupling";
   static constexpr std::string_view summary = "When the lumen surface is taken and the flow solved";
 
-  std::string schedule = "onChange";
-  double lumenTolerance = 5e-6;  ///< [m]
-  double undecidedMargin = 2.5;  ///< undecided is a cell below this times the arresting stress
-  double undecidedShare = 0.03;  ///< of these cells, where the lumen may have moved further
-  std::string stressUpdate = "firstOrder";
-  double surfaceSmoothing = 30e-6;   ///< cell scale at which the lumen surface is smoothed [m]
-  double surfaceResolution = 15e-6;  ///< spacing of the distance field [m]
-  std::string remesh = "always";
+  std::string schedule = "onChange";        ///< see scheduleMode
+  double lumenTolerance = 5e-6;             ///< [m]
+  double undecidedMargin = 2.5;             ///< undecided is a cell below this times the arresting stress
+  double undecidedShare = 0.03;             ///< of these cells, where the lumen may have moved further
+  std::string stressUpdate = "firstOrder";  ///< see stressFollowsLumen
+  double surfaceSmoothing = 30e-6;          ///< cell scale at which the lumen surface is smoothed [m]
+  double surfaceResolution = 15e-6;         ///< spacing of the distance field [m]
+  std::string remesh = "always";            ///< see movesMesh
 
   void describe(ParameterVisitor& p);
+  /// What the words say. Throw std::invalid_argument for one that is none of theirs.
+  ScheduleMode scheduleMode() const;
+  /// Whether the stress on cells follows the lumen between two solves.
+  bool stressFollowsLumen() const;
+  /// Whether the last mesh is moved while that is good enough, and not every lumen meshed afresh.
+  bool movesMesh() const;
 };
 
 /// What is written, and how often.
@@ -46,10 +55,12 @@ struct OutputParameters {
 
   double interval = secondsPerDay;                ///< between recorded states [s]
   double checkpointInterval = 7 * secondsPerDay;  ///< of simulated time [s]
-  std::string keepFlowCases = "last";
+  std::string keepFlowCases = "last";             ///< see keepsAllFlowCases
   bool pictures = true;
 
   void describe(ParameterVisitor& p);
+  /// Whether the case of every solve is kept, and not the last one's only. Throws as above.
+  bool keepsAllFlowCases() const;
 };
 
 }  // namespace restenosis

@@ -285,7 +285,7 @@ void checkFit(const Scene& scene, const SceneDocument& document, SceneFindings& 
 /// plan says it.
 void checkResolution(const Scene& scene, const SceneDocument& document, const Units& units,
                      const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
-  if (scene.hasTissue() && scene.coupling.schedule != "everyStep") return;
+  if (scene.hasTissue() && scene.coupling.scheduleMode() != ScheduleMode::everyStep) return;
   if (!allReliable(findings, {"mechanics", "coupling.schedule", "scene.fidelity", "vessel.length",
                               "vessel.lumenDiameter", "vessel.lumenSurface", "vessel.lumenSurfaceUnit",
                               "vessel.stenosis", "flow.backend", "flow.straightEnds"}))

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "bridge/flow/FlowBackendNames.h"
+#include "bridge/scene/SceneBiology.h"
 #include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
@@ -43,8 +43,7 @@ std::vector<SweptSetting> sweptSettings(const Scene& scene) {
   for (const double factor : factors)
     tolerance.values.push_back(fmt::format("{:.6g}", factor * scene.relaxation->tolerance));
   all.push_back(tolerance);
-  const bool solved = scene.flow && scene.flow->backend != flowBackendNames::none && scene.endothelium;
-  if (solved && scene.coupling.schedule == "onChange") {
+  if (growthReadsFlow(scene) && scene.coupling.scheduleMode() == ScheduleMode::onChange) {
     SweptSetting lumen{"coupling.lumenTolerance", {}};
     for (const double factor : factors)
       lumen.values.push_back(fmt::format("{:.6g} um", 1e6 * factor * scene.coupling.lumenTolerance));

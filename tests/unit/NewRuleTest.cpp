@@ -9,6 +9,7 @@
 #include "bridge/coupling/Schedule.h"
 #include "bridge/coupling/WallPreparation.h"
 #include "bridge/coupling/parts/RecordPart.h"
+#include "bridge/scene/SceneBiology.h"
 #include "tests/support/TemporaryFolder.h"
 #include "tissue/biology/ContractileArrest.h"
 #include "tissue/biology/InhibitionArrest.h"
@@ -70,7 +71,7 @@ struct FirstStep {
   ResultsFolder results = ResultsFolder::fresh(folder / "results");
   RunOptions options;
   RunState state{scene, results, progress};
-  Schedule schedule{Schedule::Mode::onChange};
+  Schedule schedule{ScheduleMode::onChange};
 };
 
 TEST(NewRule, HasTheFlowSolvedAndItsStressBroughtToTheCells) {

@@ -35,7 +35,7 @@ struct ScheduleTest : testing::Test {
   void add(const char* name, Answers& answers) {
     schedule->add(std::make_unique<FakePart<from, to>>(quantities, name, answers));
   }
-  void build(Schedule::Mode mode) {
+  void build(ScheduleMode mode) {
     schedule = std::make_unique<Schedule>(mode);
     nitricOxide.purpose = true;
     add<Quantity::agentPositions, Quantity::lumen>("surface", surface);
@@ -48,7 +48,7 @@ struct ScheduleTest : testing::Test {
 };
 
 TEST_F(ScheduleTest, RunsEverythingWhenAllIsNeededAndChanged) {
-  build(Schedule::Mode::onChange);
+  build(ScheduleMode::onChange);
   schedule->advance({});
   EXPECT_EQ(surface.runs, 1);
   EXPECT_EQ(flow.runs, 1);
@@ -56,7 +56,7 @@ TEST_F(ScheduleTest, RunsEverythingWhenAllIsNeededAndChanged) {
 }
 
 TEST_F(ScheduleTest, SkipsWhatNobodyDownstreamNeedsAndCountsTheReason) {
-  build(Schedule::Mode::onChange);
+  build(ScheduleMode::onChange);
   nitricOxide.needs = Verdict::skip("no covered cell");
   schedule->advance({});
   schedule->advance({});
@@ -68,7 +68,7 @@ TEST_F(ScheduleTest, SkipsWhatNobodyDownstreamNeedsAndCountsTheReason) {
 }
 
 TEST_F(ScheduleTest, SkipsAPartWhoseInputsHaveNotChanged) {
-  build(Schedule::Mode::onChange);
+  build(ScheduleMode::onChange);
   flow.changed = Verdict::skip("lumen moved less than its tolerance");
   schedule->advance({});
   EXPECT_EQ(surface.runs, 1);
@@ -77,7 +77,7 @@ TEST_F(ScheduleTest, SkipsAPartWhoseInputsHaveNotChanged) {
 }
 
 TEST_F(ScheduleTest, EveryStepAsksNobody) {
-  build(Schedule::Mode::everyStep);
+  build(ScheduleMode::everyStep);
   nitricOxide.needs = Verdict::skip("no covered cell");
   flow.changed = Verdict::skip("lumen moved less than its tolerance");
   schedule->advance({});
@@ -86,7 +86,7 @@ TEST_F(ScheduleTest, EveryStepAsksNobody) {
 }
 
 TEST_F(ScheduleTest, SkipsWhatNobodyReadsUnlessItIsThePurpose) {
-  build(Schedule::Mode::onChange);
+  build(ScheduleMode::onChange);
   nitricOxide.purpose = false;
   schedule->advance({});
   EXPECT_EQ(flow.runs + nitricOxide.runs, 0);
@@ -94,7 +94,7 @@ TEST_F(ScheduleTest, SkipsWhatNobodyReadsUnlessItIsThePurpose) {
 }
 
 TEST_F(ScheduleTest, AReaderFurtherUpKeepsItsWriterRunning) {
-  schedule = std::make_unique<Schedule>(Schedule::Mode::onChange);
+  schedule = std::make_unique<Schedule>(ScheduleMode::onChange);
   Answers cycle, relax;
   cycle.purpose = true;
   add<Quantity::cellStates, Quantity::agentPositions>("relax", relax);
@@ -105,7 +105,7 @@ TEST_F(ScheduleTest, AReaderFurtherUpKeepsItsWriterRunning) {
 }
 
 TEST_F(ScheduleTest, NotesWhatAPartThatRanHasRead) {
-  build(Schedule::Mode::onChange);
+  build(ScheduleMode::onChange);
   flow.changed = Verdict::skip("lumen moved less than its tolerance");
   schedule->advance({});
   const auto* ran = schedule->find<FakePart<Quantity::agentPositions, Quantity::lumen>>();

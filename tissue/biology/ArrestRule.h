@@ -28,6 +28,8 @@ class ArrestRule {
   /// Why wall shear stress enters no answer until `time` [s after deployment], or empty.
   virtual std::string readsNoWssUntil(double /*time*/) const { return {}; }
 
+  /// When wall shear stress enters the answer for some cell, for people.
+  virtual std::string whenWssIsRead() const { return "from the start, when a cell could still cycle"; }
   /// Reasons for not solving the flow: that the rule reads the stress of no cell, and that it does of some,
   /// each of which rests or divides by other rules.
   virtual std::string_view whenNoCellReads() const { return "no cell reads its wall shear stress"; }

@@ -46,6 +46,13 @@ std::string ArrestRules::readNoWssUntil(double time) const {
   return first;
 }
 
+std::string ArrestRules::whenWssIsRead() const {
+  std::string text;
+  for (const auto& rule : rules_)
+    if (rule->readsWss()) text += (text.empty() ? "" : ", or ") + rule->whenWssIsRead();
+  return text;
+}
+
 bool ArrestRules::wssMayChange(const AgentStore& agents, Index cell) const {
   if (!CellCycle::obeysRules(agents, cell)) return false;
   bool read = false;

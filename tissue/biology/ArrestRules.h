@@ -34,6 +34,8 @@ class ArrestRules {
   bool readWss() const;
   /// Why no rule does until `time` [s after deployment], or empty.
   std::string readNoWssUntil(double time) const;
+  /// When the rules that read wall shear stress do so, for people; empty where none does.
+  std::string whenWssIsRead() const;
   /// Why wall shear stress can change the state of no cell now, or empty where it can of one.
   std::string_view wssChangesNothingBecause(const AgentStore& agents) const;
   /// Whether wall shear stress can change the state of this cell: of a free smooth muscle cell before S, that

@@ -24,4 +24,10 @@ std::string NitricOxideArrest::readsNoWssUntil(double time) const {
   return {};
 }
 
+std::string NitricOxideArrest::whenWssIsRead() const {
+  return fmt::format(
+      "from the first covered cell (not before day {:g}), when a covered cell could still cycle",
+      onset_ / secondsPerDay);
+}
+
 }  // namespace restenosis

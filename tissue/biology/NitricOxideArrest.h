@@ -24,6 +24,7 @@ class NitricOxideArrest : public ArrestRule {
   bool readsWssOf(const AgentStore& agents, Index cell) const override { return agents.has(cell, covered); }
   double decidingWss() const override { return law_.wssForNitricOxide(law_.threshold()); }
   std::string readsNoWssUntil(double time) const override;
+  std::string whenWssIsRead() const override;
   std::string_view whenNoCellReads() const override { return "no cell is covered by endothelium"; }
   std::string_view whenAllAreDecided() const override {
     return "every covered cell rests or divides whatever its wall shear stress";

@@ -60,7 +60,7 @@ void Deployment::attachStruts() {
 void Deployment::fixAgents(const StentParameters& parameters, const VesselParameters& vessel) {
   fixEnds(wall_, vessel.fixedEnds);
   for (const Index i : strutAgents_) wall_.agents.set(i, fixed, true);
-  if (parameters.outerLamina == "fixed") fixOuterLamina(wall_);
+  if (parameters.fixesOuterLamina()) fixOuterLamina(wall_);
 }
 
 void Deployment::placeStent() {

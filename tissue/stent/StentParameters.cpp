@@ -1,8 +1,20 @@
 #include "tissue/stent/StentParameters.h"
 
+#include <array>
+
+#include "tissue/parameters/NamedTable.h"
 #include "tissue/stent/StentDesign.h"
 
 namespace restenosis {
+namespace {
+
+constexpr std::array outerLaminae{Named<bool>{"free", false}, Named<bool>{"fixed", true}};
+
+}  // namespace
+
+bool StentParameters::fixesOuterLamina() const {
+  return findNamed(outerLaminae, "stent.outerLamina", outerLamina).value;
+}
 
 void StentParameters::describe(ParameterVisitor& p) {
   p.choice(design, stentDesignNames(),
@@ -76,7 +88,7 @@ void StentParameters::describe(ParameterVisitor& p) {
                               .source = "T6",
                               .description = "equal steps of deployment; the wall relaxes after each"});
   p.choice(
-      outerLamina, {"free", "fixed"},
+      outerLamina, namesOf(outerLaminae),
       {.key = "outerLamina", .source = "assumed", .description = "whether the EEL yields during deployment"});
 }
 

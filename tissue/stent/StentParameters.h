@@ -27,9 +27,12 @@ struct StentParameters {
   double helixTurns = 5;
   double deploymentDepth = 110e-6;  ///< of the struts' outer face beyond the undeformed lumen [m]
   std::int64_t deploymentSteps = 100;
-  std::string outerLamina = "free";  ///< EEL during deployment: "free" or "fixed"
+  std::string outerLamina = "free";  ///< see fixesOuterLamina
 
   void describe(ParameterVisitor& p);
+  /// Whether the EEL holds its place during deployment. Throws std::invalid_argument for a word that is none
+  /// of `outerLamina`'s.
+  bool fixesOuterLamina() const;
 };
 
 }  // namespace restenosis

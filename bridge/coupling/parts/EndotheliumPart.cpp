@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bridge/scene/SceneBiology.h"
 #include "tissue/parameters/SecondsPerDay.h"
 
 namespace restenosis {

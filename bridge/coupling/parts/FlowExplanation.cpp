@@ -3,7 +3,7 @@
 #include "bridge/coupling/FlowForecast.h"
 #include "bridge/coupling/parts/FlowPart.h"
 #include "bridge/flow/FlowBackendNames.h"
-#include "tissue/parameters/SecondsPerDay.h"
+#include "bridge/scene/SceneBiology.h"
 
 namespace restenosis {
 namespace {
@@ -16,17 +16,15 @@ bool nothingCanBeExposed(const Scene& scene) {
 
 std::string whenFlowIsSolved(const Scene& scene) {
   if (!scene.hasTissue()) return "once: without tissue the lumen does not change";
-  if (scene.coupling.schedule == "everyStep")
+  if (scene.coupling.scheduleMode() == ScheduleMode::everyStep)
     return fmt::format("in every one of the {} steps (coupling.schedule = \"everyStep\")",
                        stepCount(scene.scene) + 1);
   std::string text = fmt::format(
-      "from the first covered cell (not before day {:g}), when a covered cell could still cycle and the "
-      "lumen "
-      "has moved more than {:g} um over 1 % of it, or at {:g} % of the covered cells near the stress that "
-      "arrests them",
-      Biology(biologySettings(scene)).endotheliumOnset() / secondsPerDay, scene.coupling.lumenTolerance * 1e6,
+      "{} and the lumen has moved more than {:g} um over 1 % of it, or at {:g} % of the cells near the "
+      "stress that arrests them",
+      ArrestRules(biologySettings(scene)).whenWssIsRead(), scene.coupling.lumenTolerance * 1e6,
       scene.coupling.undecidedShare * 100);
-  if (nothingCanBeExposed(scene))
+  if (scene.endothelium && nothingCanBeExposed(scene))
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
         "due";
@@ -34,7 +32,7 @@ std::string whenFlowIsSolved(const Scene& scene) {
 }
 
 std::vector<PlannedPart> meshExplanation(const Scene& scene) {
-  const bool afresh = scene.coupling.remesh == "always";
+  const bool afresh = !scene.coupling.movesMesh();
   if (scene.flow->backend == flowBackendNames::foam && scene.hasTissue())
     return {{"mesh", true,
              afresh ? "made anew for every solve"

@@ -34,7 +34,7 @@ std::unique_ptr<FlowPart> FlowPart::make(const PartContext& context) {
                                                        .foam = scene.foam,
                                                        .lbm = scene.lbm,
                                                        .straightEnds = scene.flow->straightEnds,
-                                                       .moveMesh = scene.coupling.remesh == "onDemand",
+                                                       .moveMesh = scene.coupling.movesMesh(),
                                                        .ranks = context.ranks,
                                                        .stopRequested = context.stopRequested});
   if (!backend) return nullptr;
@@ -83,7 +83,7 @@ void FlowPart::run(const Instant& now) {
   requireMeshable(lumen, folder);
   auto measurement = timer_.measure("flow");
   flow_.change([&](FlowState& flow) { solve(flow, lumen, now); });
-  if (scene_.output.keepFlowCases == "last" && std::filesystem::exists(folder))
+  if (!scene_.output.keepsAllFlowCases() && std::filesystem::exists(folder))
     folder_.removeFlowCasesBut(std::array{folder, flow_->caseInCheckpoint});
 }
 

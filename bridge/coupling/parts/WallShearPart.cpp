@@ -25,7 +25,7 @@ void WallShearPart::run(const Instant&) {
   auto measurement = timer_.measure("biology");
   stress_.change([&](AgentStore& agents) {
     agents.wss = sampleWss(agents, flow_->last->wall).wss;
-    if (scene_.coupling.stressUpdate == "firstOrder") followLumen(agents);
+    if (scene_.coupling.stressFollowsLumen()) followLumen(agents);
   });
 }
 
