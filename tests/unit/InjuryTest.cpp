@@ -226,5 +226,16 @@ TEST(Injury, DependsOnIdsNotOnTheOrderOfAgents) {
   EXPECT_EQ(one.digest(), other.digest());
 }
 
+TEST(Injury, ParametersSayWhetherTheIelOfAPackedWallStaysWhole) {
+  InjuryParameters parameters;
+  EXPECT_TRUE(parameters.sparesIel(false));
+  EXPECT_FALSE(parameters.sparesIel(true)) << "a stent stretches it";
+  parameters.removeIel = true;
+  EXPECT_FALSE(parameters.sparesIel(false));
+  parameters.removeIel = false;
+  parameters.stretchedStrain = 0;
+  EXPECT_FALSE(parameters.sparesIel(false)) << "it is past that limit as it is packed";
+}
+
 }  // namespace
 }  // namespace restenosis

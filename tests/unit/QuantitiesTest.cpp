@@ -30,7 +30,7 @@ TEST(Quantities, EachChangeIsCountedWhereItIsMade) {
   EXPECT_EQ(quantities.changes(Quantity::coverage), 0u) << "others are not, though the same data hold them";
 }
 
-TEST(Quantities, WhoChangesMaySayThatNothingDid) {
+TEST(Quantities, AChangeMaySayThatNothingChanged) {
   Quantities quantities(wallOfOneCell());
   Write<Quantity::cellStates> cells(quantities);
   cells.change([](Wall&) { return false; });

@@ -42,7 +42,7 @@ class Biology {
   CycleReport advanceCycle(AgentStore& agents, BondTable& bonds,
                            double time = std::numeric_limits<double>::infinity()) const;
 
-  /// The rules by which cells rest, and who reads wall shear stress through them.
+  /// The rules by which cells rest; they say which cells read wall shear stress.
   const ArrestRules& rules() const { return rules_; }
   /// Time of the first coverage [s]; infinity where there is never any.
   double endotheliumOnset() const;
