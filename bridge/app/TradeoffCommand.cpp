@@ -44,7 +44,7 @@ std::vector<SweptSetting> settingsFor(const Scene& scene, const std::vector<std:
   return settings;
 }
 
-void nameFiles(const fs::path& folder) {
+void nameTradeoffFiles(const fs::path& folder) {
   std::cout << fmt::format("\n{}:\n", folder.string());
   for (const auto& [file, what] :
        {std::pair("tradeoff.csv", "the same numbers"), std::pair("tradeoff.png", "picture")})
@@ -67,7 +67,7 @@ int sweep(const Scene& scene, const TradeoffArguments& arguments, const fs::path
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
   std::cout << '\n' << tradeoffTable(rows);
-  nameFiles(folder);
+  nameTradeoffFiles(folder);
   return ExitStatus::done;
 }
 

@@ -31,7 +31,7 @@ bool isAmong(const std::array<std::string_view, N>& names, const fs::path& name)
 }
 
 /// Whether something is there, be it a link that leads nowhere.
-bool isThere(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
+bool isPresent(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {
   std::vector<fs::path> entries;
@@ -92,14 +92,14 @@ void moveUsersFiles(const fs::path& from, const fs::path& to) {
   forEachEntry(from, [&](const fs::path& entry) {
     if (madeByRun(from, entry)) return;
     fs::path target = to / entry.lexically_relative(from);
-    while (isThere(target)) target += ".previous";
+    while (isPresent(target)) target += ".previous";
     fs::create_directories(target.parent_path());
     fs::rename(entry, target);
   });
 }
 
 void removeReplacedRun(const fs::path& results) {
-  if (!isThere(results / replaced)) return;
+  if (!isPresent(results / replaced)) return;
   moveUsersFiles(results / replaced, results / previous);
   removeRun(results / replaced);
   fs::remove(results / replaced);
@@ -151,16 +151,16 @@ bool moveRunAside(const fs::path& results, Unrecorded unrecorded) {
 
 void finishMovingAside(const fs::path& results) {
   const fs::path gathering = results / gathered, former = results / previous, old = results / replaced;
-  if (isThere(gathering) && !isRealFolder(gathering)) fs::remove(gathering);
+  if (isPresent(gathering) && !isRealFolder(gathering)) fs::remove(gathering);
   if (isRealFolder(gathering)) {
     for (const fs::path& entry : entriesOf(results)) {
       const fs::path target = gathering / entry.filename();
-      if (isNameOfResult(entry.filename()) && !isThere(target)) fs::rename(entry, target);
+      if (isNameOfResult(entry.filename()) && !isPresent(target)) fs::rename(entry, target);
     }
     for (const fs::path& mixed : {former, old}) moveUsersFiles(mixed, gathering);
     // On the disk before the other run goes
     flushFolder(gathering);
-    if (isThere(former)) {
+    if (isPresent(former)) {
       removeReplacedRun(results);
       fs::rename(former, old);
     }

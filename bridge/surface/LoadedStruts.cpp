@@ -40,7 +40,7 @@ std::vector<StrutPiece> measure(const TriSurface& s, const std::vector<std::uint
   return pieces;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
   throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
 }
 
@@ -53,7 +53,7 @@ void requireStrutsOnly(const StlSolids& solids, const std::filesystem::path& fil
     (std::ranges::find(said, SurfaceRegion::strut) != said.end() ? struts : others).push_back(n);
   }
   if (struts.empty() || others.empty()) return;
-  refuse(file, fmt::format(
+  reject(file, fmt::format(
                    "{} {} named as struts, {} {} not; the file holds the struts alone: take the others out, "
                    "or rename them",
                    shownSolids(solids.names, struts), struts.size() == 1 ? "is" : "are",
@@ -67,27 +67,27 @@ std::vector<StrutPiece> makeStruts(StlSolids& solids, const std::filesystem::pat
   const std::vector<std::uint32_t> pieceOf = orientPieces(s);
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.crowded > 0)
-    refuse(file,
+    reject(file,
            fmt::format("{} more than two triangles: {}. Parts of the struts' surface overlap or meet in one "
                        "edge there; make them one surface, or separate closed ones without common edges",
                        edges.crowded == 1 ? "an edge has" : fmt::format("{} edges have", edges.crowded),
                        shownEdges(s, edges.crowdedEdges)));
   if (!edges.open.empty())
-    refuse(file, fmt::format(
+    reject(file, fmt::format(
                      "the struts' surface is not closed: {} only one triangle, {}. Allowed are closed "
                      "surfaces: close the holes there",
                      edges.open.size() == 1 ? "an edge has" : fmt::format("{} edges have", edges.open.size()),
                      shownEdges(s, edges.open)));
-  if (edges.opposed > 0) refuse(file, "the struts' surface has only one side, like a Moebius strip");
+  if (edges.opposed > 0) reject(file, "the struts' surface has only one side, like a Moebius strip");
   if (const SurfaceCrossings crossings = surfaceCrossings(s, pieceOf); crossings.edges > 0)
-    refuse(file,
+    reject(file,
            fmt::format("a piece of the struts' surface passes through itself, at {}; allowed are pieces that "
                        "do not, which may overlap each other",
                        shownPlace(crossings.place)));
   std::vector<StrutPiece> pieces = measure(s, pieceOf);
   for (const StrutPiece& piece : pieces)
     if (std::abs(piece.volume) <= flatVolume * std::pow(piece.area / 6, 1.5))
-      refuse(file, fmt::format("a piece of the struts' surface, at {}, encloses nothing: it is flat",
+      reject(file, fmt::format("a piece of the struts' surface, at {}, encloses nothing: it is flat",
                                shownPlace(piece.origin)));
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (pieces[pieceOf[t]].volume < 0) std::swap(s.triangles[t][1], s.triangles[t][2]);
