@@ -13,23 +13,29 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -march=
                     -fno-trapping-math)
 # Vectors wider than the processor's registers are passed between functions of one build only.
 add_compile_options(-Wno-psabi)
-# GCC 12 takes the fill of a fmt 9 format, four bytes, for overrun once its parser is inlined; the sanitized build
-# checks the same at run time.
-add_compile_options(-Wno-stringop-overflow)
 if(RESTENOSIS_WARNINGS_AS_ERRORS)
-  # GCC 12 takes the undefined operands of its own AVX-512 intrinsics, which Eigen uses, for uninitialised (GCC
-  # bug 105593): of these it may warn.
-  add_compile_options(-Werror -Wno-error=uninitialized -Wno-error=maybe-uninitialized)
+  add_compile_options(-Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC 12 takes the fill of a fmt 9 format, four bytes, for overrun once its parser is inlined; the sanitized build
+  # checks the same at run time.
+  add_compile_options(-Wno-stringop-overflow)
+  if(RESTENOSIS_WARNINGS_AS_ERRORS)
+    # GCC 12 takes the undefined operands of its own AVX-512 intrinsics, which Eigen uses, for uninitialised (GCC
+    # bug 105593): of these it may warn.
+    add_compile_options(-Wno-error=uninitialized -Wno-error=maybe-uninitialized)
+  endif()
 endif()
 if(RESTENOSIS_SANITIZE)
   add_compile_options(-fsanitize=${RESTENOSIS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  # GCC's flow analysis does not see through the instrumentation: it takes the standard library's own members for
-  # uninitialised. The same code is checked for them in the builds without sanitizers.
-  add_compile_options(-Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # GCC's flow analysis does not see through the instrumentation: it takes the standard library's own members for
+    # uninitialised. The same code is checked for them in the builds without sanitizers.
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
   add_link_options(-fsanitize=${RESTENOSIS_SANITIZE})
 endif()
 if(RESTENOSIS_FUZZ)
-  # Clang does not know the warnings of GCC that are switched off above.
-  add_compile_options(-fsanitize=fuzzer-no-link -Wno-unknown-warning-option)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154  # `install` is set by the script that sources this
 # Shared by Allrun and Alltest: installs what is missing, then configures and builds. Sourced, from the checkout's root.
 # Expects `install` (yes or no) to be set.
 
