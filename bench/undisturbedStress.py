@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Wall shear stress near the inlet, at the first solve of a finished run of scenes/quick.toml.
 
-    /usr/bin/python3 docs/results/undisturbedStress.py results/quick
+    /usr/bin/python3 bench/undisturbedStress.py results/quick
 
 Prints for slices of the wall their area-weighted mean radius and stress, and 4 mu U / R of the undeformed lumen.
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Two flow methods in one lumen, refined together: where do their stresses go?
 
-    /usr/bin/python3 docs/results/compareRefined.py PICTURE COMPARISON [COMPARISON ...]
+    /usr/bin/python3 bench/compareRefined.py PICTURE COMPARISON [COMPARISON ...]
 
 Reads compare.json of comparisons of one lumen at several fidelities. Prints, by part, the mean stress of both methods and
 their difference, in the mean and in L2 over the faces; draws them against the lattice spacing into PICTURE.

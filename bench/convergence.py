@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Grid convergence of the OpenFOAM backend in a stented lumen.
 
-    /usr/bin/python3 docs/results/convergence.py PROGRAM WORKFOLDER PICTURE
+    /usr/bin/python3 bench/convergence.py PROGRAM WORKFOLDER PICTURE
 
 Writes a lumen with two square rings as STL, solves the flow in it by PROGRAM (restenosisFoam) on three meshes with a
 constant refinement ratio and at the fidelity `standard`, and prints three tables: cost and quantities by mesh; observed

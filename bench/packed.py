@@ -1,6 +1,6 @@
 """How many neighbours the agents of a wall have that is as it was packed.
 
-    /usr/bin/python3 docs/results/packed.py RESULTS
+    /usr/bin/python3 bench/packed.py RESULTS
 
 Of the first recorded state of a results folder whose scene has no stent. Agents within two cell diameters of
 the vessel's ends are left out: they have neighbours on one side only. Needs python3-vtk9 and python3-scipy.

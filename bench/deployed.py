@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What deployment does to the wall: how far agents move along it, how much they overlap, how thick the media is.
 
-    /usr/bin/python3 docs/results/deployed.py PACKED DEPLOYED
+    /usr/bin/python3 bench/deployed.py PACKED DEPLOYED
 
 Both are results folders of one scene and seed whose first record is compared: PACKED of a run with
 `stent.deploymentDepth = "0 um"`, so that the wall is as it was packed. Needs python3-vtk9 and python3-scipy.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Where the inner elastic lamina ends up, by contact law and number of steps (thesis, Figure 6.3).
 
-    /usr/bin/python3 docs/results/figure6_3.py RESULTS
+    /usr/bin/python3 bench/figure6_3.py RESULTS
 
 Runs scenes/deployment.toml with both contact laws: with a fixed, small effort in each step of the deployment by either
 minimiser, and relaxed to equilibrium in each. Runs that RESULTS holds already are not repeated. Draws
@@ -15,9 +15,10 @@ from pathlib import Path
 import numpy as np
 from matplotlib import pyplot
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "bridge/output"))
-from figures import results, style  # noqa: E402
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "bridge/output/figures"))
+import results  # noqa: E402
+import style  # noqa: E402
 
 LAWS = {"hertzNeoHookean": "neo-Hookean", "hertz": "Hertz"}
 STEPS = {"fixed effort": {"hertzNeoHookean": (10, 100, 1000), "hertz": (10, 100, 1000)},

@@ -1,6 +1,6 @@
 """Cells that have not made room for themselves: how many have another nearer than 0.6 (R1 + R2).
 
-    /usr/bin/python3 docs/results/doublets.py RESULTS
+    /usr/bin/python3 bench/doublets.py RESULTS
 
 Of the last recorded state of a results folder, counted are smooth muscle cells that have not divided since
 the recorded state before it, which should be a day or more earlier. Needs python3-vtk9 and python3-scipy.
