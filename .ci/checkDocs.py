@@ -3,7 +3,8 @@
 
     .ci/checkDocs.py [PROGRAM]
 
-Links between pages and their anchors; files, keys of a scene, scenes, presets and tests that text and commands name.
+Links between pages and their anchors; files, keys of a scene, scenes, presets and tests that text and commands name;
+pages that code names.
 With PROGRAM (build/release/restenosisFoam) also the options of its commands, and that docs/guide/schema.md is what
 `PROGRAM schema --markdown` prints. Every finding is a line, and the exit status is 1 where there is one.
 """
@@ -207,6 +208,16 @@ def checkSchema(program):
         find(SCHEMA, 1, f"not current; {program} schema --markdown > {SCHEMA} makes it")
 
 
+def checkMentions():
+    """Pages that code and scenes name."""
+    for name in sorted(FILES):
+        if re.search(r"\.(h|cpp|cmake|py|toml|txt)$", name):
+            for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").split("\n"), 1):
+                for page in re.findall(r"\bdocs/[\w/.-]+\.md", line):
+                    if page not in FILES:
+                        find(name, number, f"{page} does not exist")
+
+
 def checkWords():
     pattern = re.compile(r"\b(" + "|".join(WORDS) + r")\b", re.IGNORECASE)
     for name in sorted(FILES):
@@ -230,6 +241,7 @@ def main():
         checkCommands(page, presets, tests, options)
     if program:
         checkSchema(program)
+    checkMentions()
     checkWords()
     print("\n".join(findings) if findings else f"{len(pages)} pages agree with the repository")
     return 1 if findings else 0
