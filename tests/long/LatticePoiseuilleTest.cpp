@@ -7,7 +7,7 @@ namespace {
 
 using namespace support;
 
-/// Prints the table of docs/results/lbm.md: a periodic tube along the lattice.
+/// Prints the table of docs/results/verification.md: a periodic tube along the lattice.
 TEST(LatticePoiseuilleLong, table) {
   struct Row {
     const char* name;

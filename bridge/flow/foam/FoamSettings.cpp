@@ -45,12 +45,12 @@ void FoamSettings::describe(ParameterVisitor& p) {
   p.integer(bufferCells, {.key = "bufferCells",
                           .minimum = 1,
                           .maximum = 16,
-                          .source = "docs/results/mesh-cost.md",
+                          .source = "docs/developer/decisions.md",
                           .description = "rows of cells between one size and the next"});
   p.integer(snapIterations, {.key = "snapIterations",
                              .minimum = 1,
                              .maximum = 100,
-                             .source = "docs/results/mesh-cost.md",
+                             .source = "docs/developer/decisions.md",
                              .description = "iterations that move the mesh's wall onto the surface"});
   p.quantity(tolerance, {.key = "tolerance",
                          .minimum = 0,
@@ -63,7 +63,7 @@ void FoamSettings::describe(ParameterVisitor& p) {
               .minimum = 0,
               .maximum = 1,
               .minimumAllowed = false,
-              .source = "docs/results/flow.md",
+              .source = "docs/results/verification.md",
               .description = "the same at a fixed pressure gradient, where the flow rate settles last"});
   p.integer(iterations, {.key = "iterations",
                          .minimum = 1,
@@ -84,7 +84,7 @@ void FoamSettings::describe(ParameterVisitor& p) {
       {.key = "nonOrthogonal",
        .minimum = 0,
        .maximum = 1,
-       .source = "docs/results/flow.md",
+       .source = "docs/developer/decisions.md",
        .description = "share of the correction of gradients between cells that do not face each other"});
   p.quantity(volumeTolerance, {.key = "volumeTolerance",
                                .minimum = 0,
@@ -114,19 +114,19 @@ void FoamSettings::describe(ParameterVisitor& p) {
                              .source = "assumed",
                              .description = "largest relative error of the flow rates at the ends"});
   p.boolean(warmStart, {.key = "warmStart",
-                        .source = "docs/results/mesh-cost.md",
+                        .source = "docs/results/flow.md",
                         .description = "start from the former flow instead of from rest"});
   p.quantity(morphMovement,
              {.key = "morphMovement",
               .minimum = 0,
               .maximum = 10,
-              .source = "docs/results/mesh-cost.md",
+              .source = "docs/results/flow.md",
               .description = "largest movement of the wall, in cells there, that a mesh may follow"});
   p.quantity(morphDeparture,
              {.key = "morphDeparture",
               .minimum = 0,
               .maximum = 10,
-              .source = "docs/results/mesh-cost.md",
+              .source = "docs/results/flow.md",
               .description = "largest distance of a moved mesh's wall from the lumen, in cells there"});
   p.quantity(morphNonOrthogonality,
              {.key = "morphNonOrthogonality",

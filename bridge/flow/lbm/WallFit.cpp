@@ -16,7 +16,7 @@ constexpr double ridge = 1e-6;
 constexpr double mostAmplification = 4.0;
 /// The same for the fit of the ratio to the wall distance: the sum of |weight| times that distance.
 constexpr double mostRatioAmplification = 2.5;
-/// Ridge on the slopes of that ratio (assumed; docs/results/lbm.md).
+/// Ridge on the slopes of that ratio (assumed; docs/results/flow.md).
 constexpr double ratioRidge = 0.1;
 /// Added to distances from the wall [spacings], so that a node on it does not count infinitely (assumed).
 constexpr double distanceOfNodeOnWall = 0.1;

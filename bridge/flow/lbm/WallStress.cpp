@@ -11,7 +11,8 @@
 namespace restenosis {
 namespace {
 
-/// Nodes count up to this distance [spacings], for values and for derivatives (assumed; docs/results/lbm.md).
+/// Nodes count up to this distance [spacings], for values and for derivatives (assumed;
+/// docs/results/flow.md).
 constexpr double valueRadius = 2.5, ratioRadius = 2.25, derivativeRadius = 3.0;
 /// Nodes with a link to the wall count less in values: their stress carries the wall rule's error.
 constexpr double linkedWeight = 0.1;
