@@ -5,7 +5,7 @@
 
 Runs scenes/deployment.toml with both contact laws: with a fixed, small effort in each step of the deployment by either
 minimiser, and relaxed to equilibrium in each. Runs that RESULTS holds already are not repeated. Draws
-docs/pictures/figure6_3.png and prints the table of docs/results/deployment.md.
+docs/pictures/figure6_3.png and prints the table of docs/results/wall.md.
 """
 import json
 import subprocess
