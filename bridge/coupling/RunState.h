@@ -24,7 +24,7 @@ namespace restenosis {
 struct RelaxationWork {
   std::uint64_t iterations = 0;
   std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
-  double residual = 0;  ///< largest force on a free agent, asleep or not, after the last time, over C r0^2
+  double residual = 0;                 ///< largest of a free agent after the last time: AgentForce::residual
 
   template <class Archive>
   void archive(Archive& a) {
