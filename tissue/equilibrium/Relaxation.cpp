@@ -27,7 +27,7 @@ constexpr double softestContact = 1.2;
 
 // Mixed precision errs by some 10^-6 of the forces on an agent, which would move it by less than a millionth
 // of its radius: little beside a tenth of this.
-constexpr double leastMixedTolerance = 2e-4;
+constexpr double leastMixedTolerance = 5e-5;
 
 /// What is said of a step limit that lets no agent go anywhere.
 std::string shortSteps(const RelaxationParameters& p) {

@@ -13,7 +13,7 @@ void RelaxationParameters::describe(ParameterVisitor& p) {
       precision, {"automatic", "mixed", "double"},
       {.key = "precision",
        .source = "assumed",
-       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 2e-4 on"});
+       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 5e-5 on"});
   p.quantity(tolerance,
              {.key = "tolerance",
               .minimum = 1e-9,
