@@ -20,7 +20,7 @@ class Deployment {
  public:
   /// What `relaxation.tolerance` is multiplied by in each step. Where the wall is free outside, what a step
   /// leaves undone adds up along modes in which all of it moves: the thesis vessel rests 3.6 um rms from
-  /// where a tenth of the tolerance leads without this, 0.5 um with it (docs/results/wall.md). Assumed.
+  /// where a tenth of the tolerance leads without this (docs/results/wall.md). Assumed.
   static constexpr double stepShare = 0.1;
 
   /// Appends the obstacle agents of a stent, whose outer face is at the lumen's surface, to the wall, or, if
