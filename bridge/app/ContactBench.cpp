@@ -24,7 +24,7 @@ namespace {
 
 constexpr double wallLength = 0.55e-3;  // [m]; about 30,000 agents with the default vessel
 
-/// The wall and how many pairs its force loop handles, counted from each of the two agents of a pair.
+/// The wall and how many pairs its pair kernel handles, counted from each of the two agents of a pair.
 struct Workload {
   Workload() {
     VesselParameters vessel;
@@ -32,13 +32,13 @@ struct Workload {
     wall = packWall(vessel, mechanics, {}, 1);
     range = ForceField(mechanics).range(Relaxation::skinOverRadius * vessel.cellRadius);
     neighbours.build(wall.agents, range);
-    const Index nobody = wall.agents.size();
-    fixed = packSpheres(wall.agents, nobody, scale);
-    exact = packSpheres(wall.agents, nobody);
+    const Index none = wall.agents.size();
+    fixed = packSpheres(wall.agents, none, scale);
+    exact = packSpheres(wall.agents, none);
     all.resize(wall.agents.size());
     std::iota(all.begin(), all.end(), Index{0});
-    rows.resize((all.size() + PairRows::most - 1) / PairRows::most);
-    layOut(rows);
+    lists.resize((all.size() + PairList::capacity - 1) / PairList::capacity);
+    build(lists);
     for (const Index i : all) {
       for (const Index j : neighbours.of(i)) {
         const double sum = wall.agents.radius[i] + wall.agents.radius[j];
@@ -48,21 +48,21 @@ struct Workload {
     listed = 2.0 * static_cast<double>(neighbours.pairCount());
     bonds = 2.0 * static_cast<double>(wall.bonds.bondCount());
   }
-  /// Makes the rows of pairs of all agents, in parallel.
-  void layOut(std::vector<PairRows>& of) const {
-    const PairSource source{neighbours, wall.bonds, wall.agents.flags, mechanics.cohesionModulus > 0};
+  /// Builds the pair lists of all agents, in parallel.
+  void build(std::vector<PairList>& of) const {
+    const PairSource source = ForceField(mechanics).pairs(wall.agents, neighbours, wall.bonds);
     forEachPiece(all.size(), [&](std::size_t begin, std::size_t) {
-      of[begin / PairRows::most].layOut(source, piece(begin), wall.agents.size());
+      of[begin / PairList::capacity].build(source, chunk(begin), wall.agents.size());
     });
   }
   double agents() const { return static_cast<double>(all.size()); }
-  std::span<const Index> piece(std::size_t begin) const {
-    return std::span(all).subspan(begin, std::min(PairRows::most, all.size() - begin));
+  std::span<const Index> chunk(std::size_t begin) const {
+    return std::span(all).subspan(begin, std::min(PairList::capacity, all.size() - begin));
   }
   /// What one pass over all agents reads and writes at least, each array once [B].
   double bytes() const {
     std::size_t pairs = 0;
-    for (const PairRows& piece : rows) pairs += piece.bytes();
+    for (const PairList& list : lists) pairs += list.bytes();
     return agents() * (sizeof(FixedSphere) + sizeof(AgentLoad)) + static_cast<double>(pairs);
   }
 
@@ -70,7 +70,7 @@ struct Workload {
   Wall wall;
   NeighbourRange range;
   NeighbourList neighbours;
-  std::vector<PairRows> rows;  ///< of each piece of PairRows::most agents
+  std::vector<PairList> lists;  ///< of each chunk of PairList::capacity agents
   FixedScale scale{VesselParameters().cellRadius};
   std::vector<FixedSphere> fixed;
   std::vector<Sphere> exact;
@@ -79,20 +79,20 @@ struct Workload {
 };
 
 struct Rates {
-  double passes;       ///< force loops over all agents, in mixed precision [1/s]
+  double passes;       ///< pair kernels over all agents, in mixed precision [1/s]
   double exactPasses;  ///< the same in double precision [1/s]
-  double layOuts;      ///< rows of pairs of all agents [1/s]
-  double builds;       ///< lists [1/s]
+  double pairBuilds;   ///< pair lists of all agents [1/s]
+  double builds;       ///< neighbour lists [1/s]
   MachineLimits machine;
 };
 
-/// Force loops over all agents a second.
+/// Pair kernels over all agents a second.
 template <class Spheres>
 double passRate(const Workload& work, const Spheres& spheres, std::vector<AgentLoad>& load) {
   const ForceField field(work.mechanics);
   return 1 / secondsPerCall([&] {
            forEachPiece(work.all.size(), [&](std::size_t begin, std::size_t end) {
-             field.evaluate(spheres, work.rows[begin / PairRows::most], work.piece(begin),
+             field.evaluate(spheres, work.lists[begin / PairList::capacity], work.chunk(begin),
                             std::span(load).subspan(begin, end - begin));
            });
          });
@@ -106,8 +106,8 @@ Rates measure(const Workload& work, int threads) {
   Rates rates{};
   rates.passes = passRate(work, FixedSpheres(work.fixed, work.scale.unit()), load);
   rates.exactPasses = passRate(work, ExactSpheres(work.exact), load);
-  std::vector<PairRows> rows(work.rows.size());
-  rates.layOuts = 1 / secondsPerCall([&] { work.layOut(rows); });
+  std::vector<PairList> lists(work.lists.size());
+  rates.pairBuilds = 1 / secondsPerCall([&] { work.build(lists); });
   rates.builds = 1 / secondsPerCall([&] { list.build(work.wall.agents, work.range); });
   rates.machine = measureMachine();
   omp_set_num_threads(before);
@@ -122,7 +122,7 @@ void benchContact(std::ostream& out) {
       out,
       "contact: {} agents of a packed wall; of each {:.1f} neighbours listed, {:.1f} of them touching, "
       "{:.1f} bonds\n"
-      "The force loop computes contacts and bonds, in mixed precision as runs do unless said otherwise.\n"
+      "The pair kernel computes contacts and bonds, in mixed precision as runs do unless said otherwise.\n"
       "Pairs are counted from both of their agents. Rates are by wall clock, the best of several.\n\n",
       work.all.size(), work.listed / work.agents(), work.touching / work.agents(),
       work.bonds / work.agents());
@@ -146,15 +146,15 @@ void benchContact(std::ostream& out) {
   row("pair terms, listed [million/s]", [&](const Rates& r) { return 1e-6 * r.passes * work.listed; });
   row("the same in double precision [million/s]",
       [&](const Rates& r) { return 1e-6 * r.exactPasses * work.listed; });
-  row("pairs laid out for the loop [million agents/s]",
-      [&](const Rates& r) { return 1e-6 * r.layOuts * work.agents(); });
-  row("neighbour list, built anew [million agents/s]",
+  row("pair lists, built again [million agents/s]",
+      [&](const Rates& r) { return 1e-6 * r.pairBuilds * work.agents(); });
+  row("neighbour list, built again [million agents/s]",
       [&](const Rates& r) { return 1e-6 * r.builds * work.agents(); });
   row("machine: memory copied [GB/s read + written]",
       [](const Rates& r) { return 1e-9 * r.machine.copiedBytes; });
   row("machine: multiply-add [Gflop/s]", [](const Rates& r) { return 1e-9 * r.machine.multiplyAdds; });
   row("machine: square roots [million/s]", [](const Rates& r) { return 1e-6 * r.machine.squareRoots; });
-  row("force loop: share of the memory rate [%]",
+  row("pair kernel: share of the memory rate [%]",
       [&](const Rates& r) { return 100 * r.passes * work.bytes() / r.machine.copiedBytes; });
   fmt::print(out, "\n");
 }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 namespace {
@@ -41,7 +41,7 @@ PlaneLists::PlaneLists(const LumenGrid& grid, std::vector<Ball> spheres, double 
   const std::size_t count = spheres_.size();
   const auto mirror = [&](const Ball& s, double z) {
     if (z + s.radius + clip < 0 || z - s.radius - clip > g.length) return;
-    makeRoom(spheres_, spheres_.size() + 1);
+    growCapacity(spheres_, spheres_.size() + 1);
     spheres_.push_back({{s.centre.x(), s.centre.y(), z}, s.radius});
   };
   for (std::size_t n = 0; n < count; ++n) {

@@ -19,39 +19,46 @@ struct Mover {
   double radius = 1;
 };
 
-/// A piece of these agents.
-std::unique_ptr<MotionPiece> moversPiece(std::span<const Mover> movers) {
-  auto piece = std::make_unique<MotionPiece>();
+void setForce(ActiveChunk& chunk, std::size_t k, const Vec3& force) {
+  chunk.fx[k] = static_cast<float>(force.x());
+  chunk.fy[k] = static_cast<float>(force.y());
+  chunk.fz[k] = static_cast<float>(force.z());
+}
+
+/// A chunk of these agents.
+std::unique_ptr<ActiveChunk> moversChunk(std::span<const Mover> movers) {
+  auto chunk = std::make_unique<ActiveChunk>();
   for (std::size_t k = 0; k < movers.size(); ++k) {
     const Mover& m = movers[k];
-    piece->set(k, {.radius = m.radius});
-    piece->setNow(k, {.force = m.force, .stiffness = m.stiffness});
-    piece->vx[k] = m.velocity.x(), piece->vy[k] = m.velocity.y(), piece->vz[k] = m.velocity.z();
+    chunk->set(k, AgentKind::smc, Vec3::Zero(), m.radius);
+    chunk->stiffness[k] = static_cast<float>(m.stiffness);
+    setForce(*chunk, k, m.force);
+    chunk->vx[k] = m.velocity.x(), chunk->vy[k] = m.velocity.y(), chunk->vz[k] = m.velocity.z();
   }
-  piece->fillLanes(movers.size());
-  return piece;
+  chunk->fillLanes(movers.size());
+  return chunk;
 }
 
 Vec3 moveOf(const Moves& moves, std::size_t k) { return {moves.x[k], moves.y[k], moves.z[k]}; }
 
 /// One agent on a spring of unequal stiffness across and along the axis.
 struct Spring {
-  std::unique_ptr<MotionPiece> piece = moversPiece(std::vector<Mover>{{.stiffness = 2.0}});
+  std::unique_ptr<ActiveChunk> chunk = moversChunk(std::vector<Mover>{{.stiffness = 2.0}});
   Vec3 position{0.3, -0.1, 0.2};
 
   Vec3 step(Minimiser& minimiser) {
     StepTotals totals;
-    minimiser.total(*piece, 1, totals);
+    minimiser.total(*chunk, 1, totals);
     minimiser.begin(totals);
     Moves moves;
-    minimiser.step(*piece, 1, moves);
+    minimiser.step(*chunk, 1, moves);
     return moveOf(moves, 0);
   }
 
   double relax(Minimiser& minimiser, int steps) {
     double longest = 0;
     for (int k = 0; k < steps; ++k) {
-      piece->setForce(0, -Vec3(2.0, 2.0, 0.5).cwiseProduct(position));
+      setForce(*chunk, 0, -Vec3(2.0, 2.0, 0.5).cwiseProduct(position));
       const Vec3 move = step(minimiser);
       position += move;
       longest = std::max(longest, move.norm());
@@ -79,7 +86,7 @@ TEST(Minimiser, FindsTheBottomAndKeepsTheStepLimit) {
 TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
   for (const auto name : minimiserNames()) {
     Spring spring;
-    spring.piece->setForce(0, {0.01, 0, 0.01});
+    setForce(*spring.chunk, 0, {0.01, 0, 0.01});
     const Vec3 move = spring.step(*makeMinimiser(minimisedBy(name)));
     EXPECT_NEAR(move.z() / move.x(), 2, 1e-12) << name;
   }
@@ -87,7 +94,7 @@ TEST(Minimiser, MovesAlongTheAxisByTheAxialFactor) {
 
 TEST(Minimiser, StopsAnAgentThatFeelsNoForce) {
   Spring spring;
-  spring.piece->vx[0] = 0.1;
+  spring.chunk->vx[0] = 0.1;
   EXPECT_EQ(spring.step(*makeMinimiser(minimisedBy("fire"))), Vec3::Zero());
 }
 
@@ -99,26 +106,26 @@ TEST(Minimiser, LeavesStiffAgentsAtRestWhileOthersDrift) {
   for (const double eigenvalue : {0.5, 1.0, 1.5}) {
     std::vector<Mover> movers(200, {.velocity = {1e-4, 0, 0}, .force = {1e-6, 0, 0}, .radius = 1e3});
     movers[0].velocity.setZero();
-    const auto piece = moversPiece(movers);
+    const auto chunk = moversChunk(movers);
     const auto fire = makeMinimiser(p);
     double displacement = 1e-9, farthest = 0;
     Moves moves;
     for (int k = 0; k < 200; ++k) {
-      piece->fx[0] = -eigenvalue * piece->stiffness[0] * displacement;
+      chunk->fx[0] = -eigenvalue * chunk->stiffness[0] * displacement;
       StepTotals totals;
-      fire->total(*piece, movers.size(), totals);
+      fire->total(*chunk, movers.size(), totals);
       fire->begin(totals);
-      fire->step(*piece, movers.size(), moves);
+      fire->step(*chunk, movers.size(), moves);
       displacement += moves.x[0];
       farthest = std::max(farthest, std::abs(displacement));
     }
     EXPECT_LT(farthest, 1e-8) << eigenvalue;
     EXPECT_LT(std::abs(displacement), 1e-12) << eigenvalue;
-    EXPECT_GT(piece->vx[1], 1e-5) << "the others were to drift";
+    EXPECT_GT(chunk->vx[1], 1e-5) << "the others were to drift";
   }
 }
 
-TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
+TEST(Minimiser, MovesAllAgentsAlikeInWhateverChunks) {
   // More than the lanes of a step, and not a multiple of them.
   std::vector<Mover> start;
   for (int k = 0; k < 7; ++k) {
@@ -130,22 +137,22 @@ TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
   start[2].velocity = {0.004, 0, 0}, start[2].force = {-0.01, 0, 0};
   for (const auto name : minimiserNames()) {
     const auto moved = [&](std::size_t size) {
-      std::vector<std::unique_ptr<MotionPiece>> pieces;
+      std::vector<std::unique_ptr<ActiveChunk>> chunks;
       for (std::size_t begin = 0; begin < start.size(); begin += size)
-        pieces.push_back(moversPiece(std::span(start).subspan(begin, std::min(size, start.size() - begin))));
-      const auto countOf = [&](std::size_t piece) { return std::min(size, start.size() - piece * size); };
+        chunks.push_back(moversChunk(std::span(start).subspan(begin, std::min(size, start.size() - begin))));
+      const auto countOf = [&](std::size_t chunk) { return std::min(size, start.size() - chunk * size); };
       const auto minimiser = makeMinimiser(minimisedBy(name));
       StepTotals totals;
-      for (std::size_t n = 0; n < pieces.size(); ++n) {
+      for (std::size_t n = 0; n < chunks.size(); ++n) {
         StepTotals part;
-        minimiser->total(*pieces[n], countOf(n), part);
+        minimiser->total(*chunks[n], countOf(n), part);
         totals.join(part);
       }
       minimiser->begin(totals);
       std::vector<Vec3> all;
-      for (std::size_t n = 0; n < pieces.size(); ++n) {
+      for (std::size_t n = 0; n < chunks.size(); ++n) {
         Moves moves;
-        minimiser->step(*pieces[n], countOf(n), moves);
+        minimiser->step(*chunks[n], countOf(n), moves);
         for (std::size_t k = 0; k < countOf(n); ++k) all.push_back(moveOf(moves, k));
       }
       return all;
@@ -153,9 +160,9 @@ TEST(Minimiser, MovesAllAgentsAlikeInWhateverPieces) {
     const std::vector<Vec3> all = moved(start.size());
     ASSERT_EQ(all.size(), start.size());
     for (const std::size_t size : {1, 2, 5}) {
-      const std::vector<Vec3> inPieces = moved(size);
+      const std::vector<Vec3> inChunks = moved(size);
       for (std::size_t k = 0; k < all.size(); ++k)
-        EXPECT_LT((inPieces[k] - all[k]).norm(), 1e-15) << name << ", agent " << k;
+        EXPECT_LT((inChunks[k] - all[k]).norm(), 1e-15) << name << ", agent " << k;
     }
     for (const Vec3& move : all) EXPECT_GT(move.norm(), 0) << name;
   }

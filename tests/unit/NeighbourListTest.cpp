@@ -61,13 +61,13 @@ TEST(NeighbourList, TellsWhenAnAgentHasGoneSoFarThatAPairCouldBeMissing) {
   NeighbourList list;
   list.build(agents, {.skin = 2e-6});
   const Vec3 start = agents.position(20);
-  EXPECT_GE(list.room(20, start + Vec3(0.99e-6, 0, 0)), 0);
-  EXPECT_FALSE(list.room(20, start + Vec3(1.01e-6, 0, 0)) >= 0);
-  EXPECT_FALSE(list.room(20, start + Vec3(NAN, 0, 0)) >= 0);
+  EXPECT_GE(list.margin(20, start + Vec3(0.99e-6, 0, 0)), 0);
+  EXPECT_FALSE(list.margin(20, start + Vec3(1.01e-6, 0, 0)) >= 0);
+  EXPECT_FALSE(list.margin(20, start + Vec3(NAN, 0, 0)) >= 0);
   agents.x[20] += 1.01e-6;
   list.update(agents, {.skin = 2e-6});
-  EXPECT_GE(list.room(20, agents.position(20)), 0);
-  EXPECT_FALSE(list.room(20, start) >= 0);
+  EXPECT_GE(list.margin(20, agents.position(20)), 0);
+  EXPECT_FALSE(list.margin(20, start) >= 0);
 }
 
 TEST(NeighbourList, KeepsEveryPairInRangeWhileAgentsMoveGrowAndCome) {

@@ -118,9 +118,9 @@ TEST_F(WallConstraints, DoNothingToThoseWhoHaveRoom) {
         RandomStream random(1, n, 0, RandomPurpose::packing);
         const Vec3 from =
             toCartesian({1.1e-3 * random.uniform(), 2 * pi * random.uniform(), 1e-4 * random.uniform()});
-        const double room = std::min(1e-3, constraint->room(kind, r, from));
-        if (room <= 0) continue;
-        const Vec3 there = from + 0.999 * room * random.direction();
+        const double margin = std::min(1e-3, constraint->margin(kind, r, from));
+        if (margin <= 0) continue;
+        const Vec3 there = from + 0.999 * margin * random.direction();
         Vec3 place = there, force = random.direction();
         const Vec3 before = force;
         constraint->project(kind, r, place);
@@ -131,11 +131,11 @@ TEST_F(WallConstraints, DoNothingToThoseWhoHaveRoom) {
     }
   }
   const Vec3 middle(0.5e-3, 0, 0.5e-4), outside(1.1e-3, 0, 0.5e-4);
-  EXPECT_NEAR(confinement.room(AgentKind::smc, r, middle), 0.95e-3 - 0.5 * r - 0.5e-3, 5e-6);
-  EXPECT_LT(confinement.room(AgentKind::smc, r, outside), 0);
-  EXPECT_EQ(confinement.room(AgentKind::eel, r, outside), never);
-  EXPECT_DOUBLE_EQ(ends.room(AgentKind::smc, r, middle), 0.5e-4);
-  EXPECT_EQ(laminae.room(AgentKind::smc, r, middle), 0);
+  EXPECT_NEAR(confinement.margin(AgentKind::smc, r, middle), 0.95e-3 - 0.5 * r - 0.5e-3, 5e-6);
+  EXPECT_LT(confinement.margin(AgentKind::smc, r, outside), 0);
+  EXPECT_EQ(confinement.margin(AgentKind::eel, r, outside), never);
+  EXPECT_DOUBLE_EQ(ends.margin(AgentKind::smc, r, middle), 0.5e-4);
+  EXPECT_EQ(laminae.margin(AgentKind::smc, r, middle), 0);
 }
 
 }  // namespace

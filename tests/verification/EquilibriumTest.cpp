@@ -215,7 +215,7 @@ TEST(Equilibrium, OfAPulledWallTakesSleepersNotManyTimesTheIterationsOfAllAwake)
         if (block.agents.has(i, AgentFlag::fixed) && block.agents.z[i] > end - r)
           block.agents.z[i] += 0.01 * r;
       }
-      all.goOnWith(relaxation.relax(block.agents, block.bonds, {}));
+      all.append(relaxation.relax(block.agents, block.bonds, {}));
     }
     return all;
   };

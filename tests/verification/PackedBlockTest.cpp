@@ -123,7 +123,7 @@ class Box : public Constraint {
   void project(AgentKind, double, Vec3& position) const override {
     position = position.cwiseMax(0).cwiseMin(side_);
   }
-  double room(AgentKind, double, const Vec3& position) const override {
+  double margin(AgentKind, double, const Vec3& position) const override {
     return std::min(position.minCoeff(), side_ - position.maxCoeff());
   }
   void release(AgentKind, double, const Vec3& position, Vec3& force) const override {
@@ -163,7 +163,7 @@ struct Packing {
     const std::array<const Constraint*, 1> walls = {&box};
     block.relax(agents, walls);
     for (Index i = 0; i < agents.size(); ++i) {
-      const double depth = box.room(AgentKind::smc, r, agents.position(i));
+      const double depth = box.margin(AgentKind::smc, r, agents.position(i));
       agents.set(i, AgentFlag::fixed, depth < 2 * r);
       if (depth > 5 * r) within.push_back(i);
     }

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 
@@ -15,7 +15,7 @@ void AgentStore::reserve(Index agents) {
 Index AgentStore::append(AgentKind newKind, const Vec3& position, double newRadius) {
   const Index index = size();
   forEachArray([](auto& values) {
-    makeRoom(values, values.size() + 1);
+    growCapacity(values, values.size() + 1);
     values.emplace_back();
   });
   id[index] = nextId++;

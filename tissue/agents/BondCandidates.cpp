@@ -19,7 +19,7 @@ std::size_t connectNearestFirst(const AgentStore& agents, BondTable& bonds,
   for (const BondCandidate& pair : candidates) ++wanted[pair.a], ++wanted[pair.b];
   const auto room = [&](Index i) { return BondTable::maxBonds - bonds.of(i).size(); };
   if (candidates.size() > agents.size()) {
-    bonds.makeRoom(
+    bonds.growCapacity(
         [&](Index i) { return static_cast<std::uint32_t>(std::min<std::size_t>(wanted[i], room(i))); });
   }
   // Who has room for all who want it gets them in whatever order: that of memory, which is the quickest.

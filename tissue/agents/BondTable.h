@@ -32,7 +32,7 @@ class BondTable {
   void resize(Index agents) { rows_.resize(agents); }
   /// Gives agent i room for moreOf(i) more bonds, so that making them moves no row. Speed only.
   template <class MoreOf>
-  void makeRoom(const MoreOf& moreOf) {
+  void growCapacity(const MoreOf& moreOf) {
     rows_.spread([&](std::size_t i) { return moreOf(static_cast<Index>(i)); });
   }
   bool bonded(Index a, Index b) const;

@@ -13,7 +13,7 @@
 
 #include "tissue/agents/PlainArray.h"
 #include "tissue/agents/ReadAhead.h"
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 
@@ -52,7 +52,7 @@ class RowPool {
 
   /// Appends empty rows, or drops the last, until there are so many.
   void resize(std::size_t rows) {
-    makeRoom(rows_, rows);
+    growCapacity(rows_, rows);
     rows_.resize(rows);
   }
   /// Makes the pool one of so many rows side by side, the k-th of countOf(k) elements that are yet to be set,
@@ -75,7 +75,7 @@ class RowPool {
       end += rows_[k].room();
     }
     elements_ = {};  // what it holds need not be copied
-    makeRoom(elements_, end);
+    growCapacity(elements_, end);
     elements_.resize(end);
     for (const Row& row : rows_) clearSpare(row);
   }
@@ -178,7 +178,7 @@ class RowPool {
   /// Gives a row other room, at the end; its elements are yet to be set.
   void move(std::size_t row, std::size_t count, std::uint32_t spare) {
     const Row place = rowAt(elements_.size(), count, spare);
-    makeRoom(elements_, elements_.size() + place.room());
+    growCapacity(elements_, elements_.size() + place.room());
     elements_.resize(elements_.size() + place.room());
     clearSpare(place);
     abandoned_ += rows_[row].room();

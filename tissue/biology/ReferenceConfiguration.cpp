@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tissue/agents/Chunks.h"
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 
@@ -28,7 +28,7 @@ bool ReferenceConfiguration::inOrderOf(const AgentStore& agents) const {
 
 void ReferenceConfiguration::appendNew(AgentId id) {
   const auto append = [](auto& values, auto value) {
-    makeRoom(values, values.size() + 1);
+    growCapacity(values, values.size() + 1);
     values.push_back(value);
   };
   append(id_, id);

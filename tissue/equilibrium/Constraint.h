@@ -9,8 +9,8 @@ namespace restenosis {
 class Constraint {
  public:
   /// An agent this close to a curved surface, over its distance from the axis, counts as on it. Sliding along
-  /// takes it off by a little, and what presses it on would be taken for a residual, which comes and goes
-  /// with every move. A nanometre in a coronary artery.
+  /// takes it off by a little, and the force that presses it on would count as a residual, which comes and
+  /// goes with every move. A nanometre in a coronary artery.
   static constexpr double onSurface = 1e-6;
 
   virtual ~Constraint() = default;
@@ -19,9 +19,9 @@ class Constraint {
   virtual void project(AgentKind kind, double radius, Vec3& position) const = 0;
   /// How far, at least, an agent may go from `position` in any direction before project() or release() do
   /// anything [m]: infinity for those it never concerns, 0 or less where they may do so here. Where an agent
-  /// has room neither is called.
-  virtual double room(AgentKind kind, double radius, const Vec3& position) const = 0;
-  /// Takes the part out of the `force` on an agent at `position` that the constraint carries there, so that
+  /// has a margin neither is called.
+  virtual double margin(AgentKind kind, double radius, const Vec3& position) const = 0;
+  /// Removes the part of the `force` on an agent at `position` that the constraint carries there, so that
   /// what is left is the residual.
   virtual void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const = 0;
 };

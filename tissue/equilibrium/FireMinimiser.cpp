@@ -20,13 +20,13 @@ Eigen::Vector3f mobilityShares(double axialFactor) {
   return Vec3(slower, slower, slower * axialFactor).cast<float>();
 }
 
-using Values = MotionPiece::Values;
+using Values = ActiveChunk::Values;
 
 /// Three components of several agents.
 struct Vectors {
   Values x, y, z;
   Vectors(const Values& ofX, const Values& ofY, const Values& ofZ) : x(ofX), y(ofY), z(ofZ) {}
-  Vectors(const MotionPiece::Floats& ofX, const MotionPiece::Floats& ofY, const MotionPiece::Floats& ofZ,
+  Vectors(const ActiveChunk::Floats& ofX, const ActiveChunk::Floats& ofY, const ActiveChunk::Floats& ofZ,
           std::size_t k)
       : x(Values::from(&ofX[k])), y(Values::from(&ofY[k])), z(Values::from(&ofZ[k])) {}
   Values dot(const Vectors& o) const { return x * o.x + y * o.y + z * o.z; }
@@ -36,8 +36,8 @@ struct Vectors {
   }
 };
 
-Vectors velocities(const MotionPiece& agents, std::size_t k) { return {agents.vx, agents.vy, agents.vz, k}; }
-Vectors forces(const MotionPiece& agents, std::size_t k) { return {agents.fx, agents.fy, agents.fz, k}; }
+Vectors velocities(const ActiveChunk& agents, std::size_t k) { return {agents.vx, agents.vy, agents.vz, k}; }
+Vectors forces(const ActiveChunk& agents, std::size_t k) { return {agents.fx, agents.fy, agents.fz, k}; }
 
 /// The shares of their velocities that agents set out with.
 Values keptUphill(const Vectors& force, const Values& power) {
@@ -55,9 +55,9 @@ FireMinimiser::FireMinimiser(const RelaxationParameters& parameters)
       timeStep_(firstTimeStep),
       mixing_(firstMixing) {}
 
-void FireMinimiser::total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const {
+void FireMinimiser::total(const ActiveChunk& agents, std::size_t count, StepTotals& totals) const {
   Values powers = 0, ofVelocities = 0, ofForces = 0;
-  for (std::size_t k = 0; k < count; k += MotionPiece::lanes) {
+  for (std::size_t k = 0; k < count; k += ActiveChunk::lanes) {
     const Vectors force = forces(agents, k), velocity = velocities(agents, k);
     const Values stiffness = Values::from(&agents.stiffness[k]);
     const Values power = force.dot(velocity), kept = keptUphill(force, power);
@@ -89,10 +89,10 @@ void FireMinimiser::begin(const StepTotals& totals) {
   steer_ = std::min(steer_, std::max(0.0, borne - timeStep_));
 }
 
-void FireMinimiser::step(MotionPiece& agents, std::size_t count, Moves& moves) const {
+void FireMinimiser::step(ActiveChunk& agents, std::size_t count, Moves& moves) const {
   const Values keep = static_cast<float>(keep_), push = static_cast<float>(steer_ + timeStep_),
                limit = static_cast<float>(stepLimit_ / timeStep_), timeStep = static_cast<float>(timeStep_);
-  for (std::size_t k = 0; k < count; k += MotionPiece::lanes) {
+  for (std::size_t k = 0; k < count; k += ActiveChunk::lanes) {
     const Vectors force = forces(agents, k), before = velocities(agents, k);
     const Values kept = keep * keptUphill(force, force.dot(before));
     const Values pushed = push / Values::from(&agents.stiffness[k]);

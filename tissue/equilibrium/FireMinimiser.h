@@ -17,9 +17,9 @@ class FireMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "fire";
   explicit FireMinimiser(const RelaxationParameters& parameters);
-  void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const override;
+  void total(const ActiveChunk& agents, std::size_t count, StepTotals& totals) const override;
   void begin(const StepTotals& totals) override;
-  void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
+  void step(ActiveChunk& agents, std::size_t count, Moves& moves) const override;
 
  private:
   Eigen::Vector3f mobilityShare_;  ///< mobility times stiffness, by axis

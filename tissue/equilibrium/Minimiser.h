@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "tissue/agents/AgentStore.h"
-#include "tissue/equilibrium/MotionPiece.h"
+#include "tissue/equilibrium/ActiveChunk.h"
 #include "tissue/equilibrium/RelaxationParameters.h"
 
 namespace restenosis {
 
-/// What a step has to know of all agents together, found piece by piece.
+/// What a step has to know of all agents together, summed chunk by chunk.
 struct StepTotals {
   double power = 0;     ///< F . v
   double velocity = 0;  ///< v . M v, M the mass: see FireMinimiser
@@ -23,19 +23,19 @@ struct StepTotals {
   }
 };
 
-/// A way to the equilibrium. Every agent takes one step towards smaller forces: total() for all, begin(),
+/// A method of reaching equilibrium. Every agent takes one step towards smaller forces: total() for all, begin(),
 /// then step() for all.
 ///
 /// The axial part of every force counts `axialForceFactor` times (T6): the axial mobility. It changes the
-/// way, not the equilibrium.
+/// path, not the equilibrium.
 class Minimiser {
  public:
   virtual ~Minimiser() = default;
-  /// Adds the `count` agents of a piece, changing none. For several threads.
-  virtual void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const = 0;
+  /// Adds the `count` agents of a chunk, changing none. For several threads.
+  virtual void total(const ActiveChunk& agents, std::size_t count, StepTotals& totals) const = 0;
   virtual void begin(const StepTotals& totals) = 0;
   /// Sets their moves, of at most stepLimit x radius each. For several threads, each agent once a step.
-  virtual void step(MotionPiece& agents, std::size_t count, Moves& moves) const = 0;
+  virtual void step(ActiveChunk& agents, std::size_t count, Moves& moves) const = 0;
 
  protected:
   /// Of the longest step that is allowed: shorter by more than single precision errs by.

@@ -13,7 +13,7 @@ constexpr double stableShare = 0.9;
 OverdampedMinimiser::OverdampedMinimiser(const RelaxationParameters& parameters)
     : axialFactor_(parameters.axialForceFactor), stepLimit_(longestShare * parameters.stepLimit) {}
 
-void OverdampedMinimiser::total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const {
+void OverdampedMinimiser::total(const ActiveChunk& agents, std::size_t count, StepTotals& totals) const {
   for (std::size_t k = 0; k < count; ++k)
     totals.stiffest = std::max<double>(totals.stiffest, agents.stiffness[k]);
 }
@@ -22,9 +22,9 @@ void OverdampedMinimiser::begin(const StepTotals& totals) {
   mobility_ = stableShare / (totals.stiffest * std::max(1.0, axialFactor_));
 }
 
-void OverdampedMinimiser::step(MotionPiece& agents, std::size_t count, Moves& moves) const {
+void OverdampedMinimiser::step(ActiveChunk& agents, std::size_t count, Moves& moves) const {
   for (std::size_t k = 0; k < count; ++k) {
-    Vec3 move = mobility_ * agents.force(k);
+    Vec3 move = mobility_ * Vec3(agents.fx[k], agents.fy[k], agents.fz[k]);
     move.z() *= axialFactor_;
     const double length = move.norm(), limit = stepLimit_ * agents.radius[k];
     if (length > limit) move *= limit / length;

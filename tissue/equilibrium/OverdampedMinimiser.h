@@ -12,9 +12,9 @@ class OverdampedMinimiser : public Minimiser {
  public:
   static constexpr std::string_view name = "overdamped";
   explicit OverdampedMinimiser(const RelaxationParameters& parameters);
-  void total(const MotionPiece& agents, std::size_t count, StepTotals& totals) const override;
+  void total(const ActiveChunk& agents, std::size_t count, StepTotals& totals) const override;
   void begin(const StepTotals& totals) override;
-  void step(MotionPiece& agents, std::size_t count, Moves& moves) const override;
+  void step(ActiveChunk& agents, std::size_t count, Moves& moves) const override;
 
  private:
   double axialFactor_;

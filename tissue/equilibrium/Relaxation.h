@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,30 +12,11 @@
 #include "tissue/agents/BondTable.h"
 #include "tissue/equilibrium/Constraint.h"
 #include "tissue/equilibrium/RelaxationParameters.h"
+#include "tissue/equilibrium/RelaxationReport.h"
 #include "tissue/forces/ForceField.h"
 #include "tissue/forces/MechanicsParameters.h"
 
 namespace restenosis {
-
-/// What a relaxation did.
-struct RelaxationReport {
-  int iterations = 0;
-  double residual = 0;                 ///< largest AgentForce::residual of a free agent
-  std::uint64_t agentEvaluations = 0;  ///< forces computed, one an agent
-  bool converged = false;
-
-  /// Another relaxation has followed this one.
-  void goOnWith(const RelaxationReport& next) {
-    iterations += next.iterations;
-    agentEvaluations += next.agentEvaluations;
-    residual = next.residual, converged = next.converged;
-  }
-
-  template <class Archive>
-  void archive(Archive& a) {
-    a(iterations, residual, agentEvaluations, converged);
-  }
-};
 
 /// Thrown when `maximumIterations` did not reach the tolerance and `stopAtMaximum` is false. The message
 /// names the settings to change.
@@ -44,19 +24,17 @@ struct RelaxationFailed : std::runtime_error {
   RelaxationFailed(const std::string& message, const RelaxationReport& done, AgentId worst)
       : std::runtime_error(message), report(done), worstAgent(worst) {}
   RelaxationReport report;
-  AgentId worstAgent;  ///< the farthest from rest
+  AgentId worstAgent;  ///< that of the largest residual
 };
 
 /// Moves agents to mechanical equilibrium (model 3): until the force left on no free agent would move it by
 /// more than `tolerance` of its radius, no agent moving more than `stepLimit` of its radius in a step.
 ///
-/// Quiet regions sleep: only agents with a residual above the tolerance are moved, until it is far below,
-/// unless these are many; the rest are checked before the relaxation ends. Results do not depend on the
-/// number of threads.
+/// Only an active set is moved, unless it would be large (Equilibration). Results do not depend on the number
+/// of threads.
 class Relaxation {
  public:
-  /// How far beyond contact the neighbour list looks, over the reference radius. Speed only: results do not
-  /// depend on it.
+  /// Skin of the neighbour list over the reference radius. Speed only: results do not depend on it.
   static constexpr double skinOverRadius = 0.4;
 
   /// `referenceRadius` is r0 of the characteristic force [m]. Throws std::invalid_argument for an unknown
@@ -67,9 +45,9 @@ class Relaxation {
   Relaxation(const Relaxation&) = delete;
   Relaxation& operator=(const Relaxation&) = delete;
 
-  /// What to call before every iteration; it may throw to give the relaxation up, and agents are where they
-  /// had come to then.
-  void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
+  /// Called before every iteration. It may throw to give the relaxation up, which leaves agents somewhere on
+  /// their path.
+  void setCallback(std::function<void()> beforeIteration) { beforeIteration_ = std::move(beforeIteration); }
 
   /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
   /// AgentStore::pressure of the agents it evaluated.
@@ -83,24 +61,21 @@ class Relaxation {
   RelaxationReport relaxAgain(AgentStore& agents, const BondTable& bonds,
                               std::span<const Constraint* const> constraints);
 
-  /// Gives back the memory that relaxAgain would go on from; it costs time only. Nothing is known of the last
+  /// Frees the memory that relaxAgain would go on from; it costs time only. Nothing is known of the last
   /// relaxation then.
   void forget();
 
  private:
-  /// What relaxAgain keeps from call to call.
-  struct Standing;
   /// How to compute in mixed precision; nothing where double precision is asked for or needed.
   std::optional<FixedScale> mixedScale() const;
-  RelaxationReport settle(Standing& standing) const;
 
   RelaxationParameters parameters_;
-  std::function<void()> meanwhile_;
+  std::function<void()> beforeIteration_;
   ForceField field_;
   double contactModulus_;
   double referenceRadius_;
-  NeighbourList neighbours_;            ///< kept between relaxations: speed only, no part of the state
-  std::unique_ptr<Standing> standing_;  ///< likewise
+  NeighbourList neighbours_;                         ///< kept between relaxations: speed only
+  std::unique_ptr<class Equilibration> equilibration_;  ///< kept for relaxAgain: speed only
 };
 
 }  // namespace restenosis

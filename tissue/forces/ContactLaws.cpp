@@ -2,22 +2,15 @@
 
 #include <array>
 
+#include "tissue/forces/ContactLawOf.h"
 #include "tissue/forces/HertzContact.h"
 #include "tissue/forces/HertzNeoHookeanContact.h"
-#include "tissue/forces/PairForces.h"
 #include "tissue/parameters/NamedTable.h"
 
 namespace restenosis {
 namespace {
 
-template <class Law>
-constexpr ContactLaw entry() {
-  return {Law::name, &evaluatePairs<Law, FixedSpheres>, &evaluatePairs<Law, ExactSpheres>,
-          [](double modulus, double d, double R) { return Law(modulus).energy(d, R); },
-          [](double R) { return Law::validOverlap(R); }};
-}
-
-constexpr std::array contactLaws{entry<HertzContact>(), entry<HertzNeoHookeanContact>()};
+constexpr std::array contactLaws{contactLawOf<HertzContact>(), contactLawOf<HertzNeoHookeanContact>()};
 
 }  // namespace
 

@@ -7,16 +7,18 @@
 
 namespace restenosis {
 
-/// One contact law in the table: the force loop compiled for it, so that no pair pays for the choice.
+/// One contact law in the table: the pair kernels compiled for it, so that no pair pays for the choice.
 struct ContactLaw {
-  /// Sets loads[k] for the k-th of `agents`, whose rows are `rows`; in the calling thread.
+  /// Sets loads[k] for the k-th of `agents`, whose pairs are `list`; in the calling thread.
   template <class Spheres>
-  using Loop = void (*)(const MechanicsParameters&, const Spheres&, const PairRows& rows,
-                        std::span<const Index> agents, std::span<AgentLoad> loads);
+  using Kernel = void (*)(const MechanicsParameters&, const Spheres&, const PairList& list,
+                          std::span<const Index> agents, std::span<AgentLoad> loads);
 
   std::string_view name;
-  Loop<FixedSpheres> evaluateMixed;
-  Loop<ExactSpheres> evaluateExact;
+  Kernel<FixedSpheres> evaluateMixed;
+  Kernel<ExactSpheres> evaluateExact;
+  /// PlainPairKernel
+  AgentLoad (*plainLoad)(const MechanicsParameters&, const AgentStore&, Index i, std::span<const Pair>);
   double (*energy)(double modulus, double overlap, double reducedRadius);
   double (*validOverlap)(double reducedRadius);  ///< in proportion to it, or infinite
 };

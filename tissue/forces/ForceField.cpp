@@ -1,8 +1,8 @@
 #include "tissue/forces/ForceField.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "tissue/agents/Chunks.h"
 #include "tissue/forces/BondAttraction.h"
 #include "tissue/forces/Cohesion.h"
 #include "tissue/forces/ContactLaws.h"
@@ -18,32 +18,35 @@ NeighbourRange ForceField::range(double skin) const {
           .skin = skin};
 }
 
-void ForceField::evaluate(const ExactSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
-                          std::span<AgentLoad> loads) const {
-  law_->evaluateExact(parameters_, spheres, rows, agents, loads);
+PairSource ForceField::pairs(const AgentStore& agents, const NeighbourList& neighbours,
+                             const BondTable& bonds) const {
+  return {neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0};
 }
 
-void ForceField::evaluate(const FixedSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
+void ForceField::evaluate(const ExactSpheres& spheres, const PairList& list, std::span<const Index> agents,
                           std::span<AgentLoad> loads) const {
-  law_->evaluateMixed(parameters_, spheres, rows, agents, loads);
+  law_->evaluateExact(parameters_, spheres, list, agents, loads);
+}
+
+void ForceField::evaluate(const FixedSpheres& spheres, const PairList& list, std::span<const Index> agents,
+                          std::span<AgentLoad> loads) const {
+  law_->evaluateMixed(parameters_, spheres, list, agents, loads);
 }
 
 std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const BondTable& bonds) const {
   NeighbourList neighbours;
   neighbours.build(agents, range(0));
-  const PairSource source{neighbours, bonds, agents.flags, parameters_.cohesionModulus > 0};
-  std::vector<Index> all(agents.size());
-  std::iota(all.begin(), all.end(), Index{0});
+  const PairSource source = pairs(agents, neighbours, bonds);
   std::vector<AgentLoad> loads(agents.size());
-  const Index nobody = agents.size();
-  const std::vector<Sphere> spheres = packSpheres(agents, nobody);
-  PairRows rows;
-  for (std::size_t begin = 0; begin < all.size(); begin += PairRows::most) {
-    const auto piece =
-        std::span<const Index>(all).subspan(begin, std::min(PairRows::most, all.size() - begin));
-    rows.layOut(source, piece, nobody);
-    evaluate(ExactSpheres(spheres), rows, piece, std::span(loads).subspan(begin, piece.size()));
-  }
+  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Pair> ofAgent;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<Index>(k);
+      ofAgent.clear();
+      source.append(i, ofAgent);
+      loads[k] = law_->plainLoad(parameters_, agents, i, ofAgent);
+    }
+  });
   return loads;
 }
 

@@ -6,33 +6,21 @@
 
 #include "tissue/agents/AgentStore.h"
 #include "tissue/agents/BondTable.h"
+#include "tissue/forces/AgentLoad.h"
 #include "tissue/forces/MechanicsParameters.h"
-#include "tissue/forces/PairRows.h"
+#include "tissue/forces/PairList.h"
 #include "tissue/forces/Spheres.h"
 #include "tissue/neighbours/NeighbourList.h"
 
 namespace restenosis {
 
-/// What acts on one agent.
-struct AgentLoad {
-  double fx = 0, fy = 0, fz = 0;  ///< [N]
-  double pressure = 0;   ///< minus a third of the trace of the virial stress [Pa]; compression positive
-  double stiffness = 0;  ///< sum of the slopes of the acting pair forces [N/m]
-
-  Vec3 force() const { return {fx, fy, fz}; }
-};
-
 /// The forces between agents (model 3): contact, bonds, cohesion.
 ///
-/// Gathered agent by agent in ascending order of partners. Pairs out of range add nothing, so every list that
+/// Summed agent by agent in ascending order of partners. Pairs out of range add nothing, so every list that
 /// holds all pairs in range gives the same bits, and so does every number of threads.
 ///
 /// In mixed precision, differences of positions are exact, and what follows is in single precision: a force
 /// has an error of some 10^-6 of the largest pair force on its agent.
-///
-/// The virial stress of an agent takes half of each pair's branch vector b (from centre to centre):
-/// sigma = -(1/V) sum 1/2 b (x) F with F the force on the agent and b pointing to it; pressure =
-/// -tr(sigma)/3.
 class ForceField {
  public:
   /// Throws std::invalid_argument for an unknown contact law, naming the known ones.
@@ -41,17 +29,20 @@ class ForceField {
   /// Which pairs a neighbour list must hold.
   NeighbourRange range(double skin) const;
 
-  /// Sets loads[k] for the k-th of `agents`, whose rows are `rows`. In the calling thread: for use in
+  /// The pairs of a neighbour list and of bonds.
+  PairSource pairs(const AgentStore& agents, const NeighbourList& neighbours, const BondTable& bonds) const;
+
+  /// Sets loads[k] for the k-th of `agents`, whose pairs are `list`. In the calling thread: for use in
   /// parallel loops.
-  void evaluate(const ExactSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
+  void evaluate(const ExactSpheres& spheres, const PairList& list, std::span<const Index> agents,
                 std::span<AgentLoad> loads) const;
-  void evaluate(const FixedSpheres& spheres, const PairRows& rows, std::span<const Index> agents,
+  void evaluate(const FixedSpheres& spheres, const PairList& list, std::span<const Index> agents,
                 std::span<AgentLoad> loads) const;
 
-  /// Loads of all agents in double precision, for those who need them once: makes its own neighbour list.
+  /// Loads of all agents by the plain kernel. Makes its own neighbour list.
   std::vector<AgentLoad> evaluate(const AgentStore& agents, const BondTable& bonds) const;
 
-  /// Sets the pressures of all agents, but for struts, to those of where they stand.
+  /// Sets the pressures of all agents, but for struts, to those of their present positions.
   void setPressures(AgentStore& agents, const BondTable& bonds) const;
 
   /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].

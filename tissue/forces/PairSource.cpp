@@ -4,25 +4,22 @@
 
 namespace restenosis {
 
-bool PairSource::append(Index i, std::vector<ActingPair>& pairs) const {
-  constexpr float none = std::numeric_limits<float>::infinity();
-  const bool daughter = marksDaughters && (flags[i] & AgentFlag::daughter);
-  bool marked = false;
-  const auto put = [&](Index j, float rest) {
-    const bool mark = daughter || (marksDaughters && (flags[j] & AgentFlag::daughter));
-    marked |= mark;
-    pairs.push_back({j, mark ? -rest : rest});
+void PairSource::append(Index i, std::vector<Pair>& pairs) const {
+  constexpr float unbonded = std::numeric_limits<float>::infinity();
+  const auto isDaughter = [this](Index j) { return cohesion && (flags[j] & AgentFlag::daughter); };
+  const bool daughter = isDaughter(i);
+  const auto put = [&](Index j, float restLength) {
+    pairs.push_back({j, daughter || isDaughter(j) ? -restLength : restLength});
   };
   const auto bonded = bonds.of(i);
   auto bond = bonded.begin();
   for (const Index j : neighbours.of(i)) {
     for (; bond != bonded.end() && bond->partner < j; ++bond) put(bond->partner, bond->restLength);
     const bool isBonded = bond != bonded.end() && bond->partner == j;
-    put(j, isBonded ? bond->restLength : none);
+    put(j, isBonded ? bond->restLength : unbonded);
     bond += isBonded;
   }
   for (; bond != bonded.end(); ++bond) put(bond->partner, bond->restLength);
-  return marked;
 }
 
 }  // namespace restenosis

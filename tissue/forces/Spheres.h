@@ -14,6 +14,8 @@ namespace restenosis {
 /// An agent as the force loop reads it in double precision.
 struct alignas(32) Sphere {
   double x, y, z, r;  ///< [m]
+
+  bool operator==(const Sphere&) const = default;
 };
 
 /// An agent as the force loop reads it in mixed precision: the position in whole units of a FixedScale,
@@ -21,6 +23,8 @@ struct alignas(32) Sphere {
 struct alignas(16) FixedSphere {
   std::uint32_t x, y, z;
   float r;  ///< [m]
+
+  bool operator==(const FixedSphere&) const = default;
 };
 
 /// An agent as FixedSphere.
@@ -51,8 +55,8 @@ class ExactSpheres {
     return p;
   }
   /// Nothing: few forces are computed in double precision.
-  void fetch(const Index*) const {}
-  void fetchOne(Index) const {}
+  void prefetch(const Index*) const {}
+  void prefetchOne(Index) const {}
   /// From each of `b` to that of `a` [m].
   static void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) {
     dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
@@ -78,11 +82,11 @@ class FixedSpheresOf {
       : spheres_(spheres), unit_(static_cast<float>(unit)) {}
 
   Places at(const Index* agents) const;
-  /// Asks for the memory that at() of these agents reads.
-  void fetch(const Index* agents) const {
+  /// Prefetches what at() of these agents reads.
+  void prefetch(const Index* agents) const {
     for (int k = 0; k < lanes; ++k) __builtin_prefetch(&spheres_[agents[k]]);
   }
-  void fetchOne(Index agent) const { __builtin_prefetch(&spheres_[agent]); }
+  void prefetchOne(Index agent) const { __builtin_prefetch(&spheres_[agent]); }
   void separation(const Places& a, const Places& b, Values& dx, Values& dy, Values& dz) const {
     dx = metres(a.x - b.x), dy = metres(a.y - b.y), dz = metres(a.z - b.z);
   }
@@ -100,11 +104,10 @@ class FixedSpheresOf {
 using FixedSpheres =
     FixedSpheresOf<floatLanes>;  // its functions are `inline`, or GCC leaves calls in the loop
 
-/// The agents as ExactSpheres wants them, and nobody, of radius noAgentRadius, from there to the index
-/// `nobody`.
-std::vector<Sphere> packSpheres(const AgentStore& agents, Index nobody);
-/// The agents as FixedSpheres wants them, and nobody likewise.
-std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index nobody, const FixedScale& scale);
+/// The agents for ExactSpheres, followed by spheres of radius noAgentRadius up to the index `none`.
+std::vector<Sphere> packSpheres(const AgentStore& agents, Index none);
+/// The same for FixedSpheres.
+std::vector<FixedSphere> packSpheres(const AgentStore& agents, Index none, const FixedScale& scale);
 
 template <int width>
 inline auto FixedSpheresOf<width>::eight(const Index* agents) const -> std::array<EightWords, 4> {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 namespace {
@@ -26,7 +26,7 @@ void MovableGrid::fill() {
 void MovableGrid::take(const Move& move) {
   const Index i = move.entry.point;
   if (i == size()) {
-    makeRoom(cell_, cell_.size() + 1);
+    growCapacity(cell_, cell_.size() + 1);
     cell_.push_back(move.cell);
   } else {
     entryOf(i) = buckets_[cell_[i]].back();

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "tissue/agents/Chunks.h"
-#include "tissue/agents/Room.h"
+#include "tissue/agents/Capacity.h"
 #include "tissue/neighbours/CellGrid.h"
 #include "tissue/neighbours/NeighbourQuery.h"
 
@@ -201,7 +201,7 @@ NeighbourList::Change NeighbourList::update(const AgentStore& agents, const Neig
 }
 
 NeighbourList::Change NeighbourList::update(const AgentStore& agents, std::span<const Index> moved) {
-  const std::vector<Index> names = agentsOf(moved, [&](Index i) { return hasLittleRoom(agents, i); });
+  const std::vector<Index> names = agentsOf(moved, [&](Index i) { return hasSmallMargin(agents, i); });
   if (std::ranges::none_of(names, [&](Index i) { return movedTooFar(agents, i); })) return {};
   if (worthLookingUp(names.size())) return {.all = false, .agents = lookUp(agents, names)};
   build(agents, range_);
@@ -230,7 +230,7 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
   const auto growthOf = [&](Index i) { return std::max(0.0, agents.radius[i] - anchors_[i].radius()); };
   std::vector<Index> used = agentsThat(size(), [&](Index i) {
     anchors_[i].allow(range_.skin / 2 - widestFactor(range_) * growthOf(i));
-    return changed(i) || hasLittleRoom(agents, i);
+    return changed(i) || hasSmallMargin(agents, i);
   });
   const bool necessary =
       agents.size() > size() || std::ranges::any_of(used, [&](Index i) {
@@ -241,7 +241,7 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
   return used;
 }
 
-double NeighbourList::comfortableRoom() const { return leftBeforeLookUp * range_.skin / 2; }
+double NeighbourList::smallMargin() const { return leftBeforeLookUp * range_.skin / 2; }
 
 void NeighbourList::findInRange(std::span<const Index> agents, std::span<std::vector<Index>> found) const {
   // Agents looked up are far apart, and so is what each search reads: that of all is asked for step by step,
@@ -267,7 +267,7 @@ std::vector<Index> NeighbourList::lookUp(const AgentStore& agents, std::span<con
   for (const Index i : names) finitePosition(agents, i);  // or throw, while the list is whole
   if (!grid_) grid_.emplace(anchors_.size(), placesOf(anchors_), widestReach(range_, largestRadius_));
   const Index known = size();
-  makeRoom(anchors_, agents.size());
+  growCapacity(anchors_, agents.size());
   anchors_.resize(agents.size());
   rows_.resize(agents.size());
   stale_.resize(agents.size(), 0);

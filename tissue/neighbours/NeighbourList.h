@@ -48,7 +48,7 @@ class NeighbourList {
   /// removed or reordered. Throws as build does.
   Change update(const AgentStore& agents, const NeighbourRange& range);
   /// The same where since the last build or update nothing happened but that agents moved; `moved` are, in
-  /// ascending order, those with less than comfortableRoom() left, and others at will. Costs what they cost.
+  /// ascending order, those with less than smallMargin() left, and others at will. Costs what they cost.
   Change update(const AgentStore& agents, std::span<const Index> moved);
 
   /// Whether an update looks so many agents up instead of building the list anew.
@@ -64,11 +64,11 @@ class NeighbourList {
 
   /// How far agent i at `position` may still go before, with another that has gone as far, a pair may be
   /// missing; below 0 one may be [m]. Radii are those of the last build or update.
-  double room(Index i, const Vec3& position) const {
+  double margin(Index i, const Vec3& position) const {
     return anchors_[i].allowance() - (position - anchors_[i].position).norm();
   }
   /// Agents with no more room than this are looked up when others must be [m].
-  double comfortableRoom() const;
+  double smallMargin() const;
 
  private:
   /// An agent as it was when it was last looked up. Half a cache line: a search reads those of many agents.
@@ -93,10 +93,10 @@ class NeighbourList {
   static_assert(sizeof(Anchor) == 32);
   static Anchor anchorOf(const AgentStore& agents, Index i, const NeighbourRange& range);
   /// Whether agent i of `agents` has no room.
-  bool movedTooFar(const AgentStore& agents, Index i) const { return !(room(i, agents.position(i)) >= 0); }
+  bool movedTooFar(const AgentStore& agents, Index i) const { return !(margin(i, agents.position(i)) >= 0); }
   /// Whether it is to be looked up when others must be.
-  bool hasLittleRoom(const AgentStore& agents, Index i) const {
-    return !(room(i, agents.position(i)) >= comfortableRoom());
+  bool hasSmallMargin(const AgentStore& agents, Index i) const {
+    return !(margin(i, agents.position(i)) >= smallMargin());
   }
   /// Sets the allowances to present radii; returns whom to look up, in ascending order.
   std::vector<Index> findStale(const AgentStore& agents);

@@ -87,7 +87,7 @@ RelaxationReport Deployment::step() {
   if (!report.converged && !asked_.stopAtMaximum) {
     // Less than was aimed at will do, but not less than the scene asks for
     Relaxation asked(mechanics_, asked_, wall_.cellRadius);
-    report.goOnWith(relaxBy(asked));
+    report.append(relaxBy(asked));
   }
   for (Index i = 0; i < agents.size(); ++i) {
     const auto ofAgent = vectorOf(moves, i);
@@ -104,7 +104,7 @@ RelaxationReport Deployment::relaxBy(Relaxation& relaxation) {
   const std::array<const Constraint*, 2> constraints = {&outside, &ends};
   RelaxationReport report = relaxation.relax(wall_.agents, wall_.bonds, constraints);
   while (breakStrainedBonds(wall_.agents, wall_.bonds, mechanics_.bondStrainLimit) > 0)
-    report.goOnWith(relaxation.relax(wall_.agents, wall_.bonds, constraints));
+    report.append(relaxation.relax(wall_.agents, wall_.bonds, constraints));
   return report;
 }
 

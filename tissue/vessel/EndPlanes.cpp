@@ -8,7 +8,7 @@ void EndPlanes::project(AgentKind, double, Vec3& position) const {
   position.z() = std::clamp(position.z(), 0.0, length_);
 }
 
-double EndPlanes::room(AgentKind, double, const Vec3& position) const {
+double EndPlanes::margin(AgentKind, double, const Vec3& position) const {
   return std::min(position.z(), length_ - position.z());
 }
 

@@ -9,7 +9,7 @@ class EndPlanes : public Constraint {
  public:
   explicit EndPlanes(double length) : length_(length) {}
   void project(AgentKind kind, double radius, Vec3& position) const override;
-  double room(AgentKind kind, double radius, const Vec3& position) const override;
+  double margin(AgentKind kind, double radius, const Vec3& position) const override;
   void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
  private:

@@ -26,7 +26,7 @@ void LaminaSurfaces::project(AgentKind kind, double, Vec3& position) const {
   }
 }
 
-double LaminaSurfaces::room(AgentKind kind, double, const Vec3&) const {
+double LaminaSurfaces::margin(AgentKind kind, double, const Vec3&) const {
   return kind == AgentKind::strut ? std::numeric_limits<double>::infinity() : 0;
 }
 

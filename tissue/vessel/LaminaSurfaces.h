@@ -12,7 +12,7 @@ class LaminaSurfaces : public Constraint {
   /// `shape` must outlive the object.
   explicit LaminaSurfaces(const WallShape& shape) : shape_(shape) {}
   void project(AgentKind kind, double radius, Vec3& position) const override;
-  double room(AgentKind kind, double radius, const Vec3& position) const override;
+  double margin(AgentKind kind, double radius, const Vec3& position) const override;
   void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
  private:

@@ -29,7 +29,7 @@ void OuterConfinement::project(AgentKind kind, double radius, Vec3& position) co
   if (radiusOf(position) > limit) position = atRadius(position, limit);
 }
 
-double OuterConfinement::room(AgentKind kind, double radius, const Vec3& position) const {
+double OuterConfinement::margin(AgentKind kind, double radius, const Vec3& position) const {
   if (kind != AgentKind::smc && kind != AgentKind::iel) return std::numeric_limits<double>::infinity();
   return clearlyInside(map_.lowest(), radius) - radiusOf(position);
 }

@@ -21,7 +21,7 @@ class OuterConfinement : public Constraint {
   static constexpr double defaultMargin = 0.5;
 
   void project(AgentKind kind, double radius, Vec3& position) const override;
-  double room(AgentKind kind, double radius, const Vec3& position) const override;
+  double margin(AgentKind kind, double radius, const Vec3& position) const override;
   void release(AgentKind kind, double radius, const Vec3& position, Vec3& force) const override;
 
   template <class Archive>

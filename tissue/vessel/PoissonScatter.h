@@ -32,7 +32,7 @@ class PoissonScatter {
   void add(AgentStore& agents, AgentKind kind, Index count, const RadiusOf& radiusOf,
            const SurfaceFromAxis& inner, const SurfaceFromAxis& outer);
   /// What to call before every turn; it may throw to give up.
-  void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
+  void setCallback(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
 
  private:
   // Random sequential addition of spheres jams at 0.38 of the volume (0.55 of the area for discs); 0.82 of

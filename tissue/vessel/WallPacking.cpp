@@ -69,7 +69,7 @@ Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::ui
   const double widest = radiusCut * vessel.radiusSpread * vessel.cellRadius;
   PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), vessel.cellRadius - widest,
                          vessel.cellRadius + widest);
-  scatter.callMeanwhile(meanwhile);
+  scatter.setCallback(meanwhile);
   wall.agents.reserve(counts.total());
   const auto add = [&](AgentKind kind, Index count, const SurfaceFromAxis& from, const SurfaceFromAxis& to) {
     scatter.add(
@@ -103,7 +103,7 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   settings.maximumIterations = std::max<std::int64_t>(asked.maximumIterations, 20000);
   settings.stopAtMaximum = false;
   Relaxation relaxation(mechanics, settings, vessel.cellRadius);
-  relaxation.callMeanwhile(meanwhile);
+  relaxation.setCallback(meanwhile);
   const auto relax = [&](std::span<const Constraint* const> constraints) {
     try {
       return relaxation.relax(wall.agents, wall.bonds, constraints);

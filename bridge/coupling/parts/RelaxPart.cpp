@@ -47,7 +47,7 @@ void RelaxPart::relax(Wall& wall) {
   const MechanicsParameters& mechanics = *scene_.mechanics;
   RelaxationReport report = relaxation_.relaxAgain(wall.agents, wall.bonds, constraints);
   while (breakStrainedBonds(wall.agents, wall.bonds, mechanics.bondStrainLimit) > 0)
-    report.goOnWith(relaxation_.relax(wall.agents, wall.bonds, constraints));
+    report.append(relaxation_.relax(wall.agents, wall.bonds, constraints));
   // At rest, so that the new bonds carry nothing
   if (mechanics.bondDaughters && bondDaughters(wall.agents, wall.bonds, scene_.vessel.bondRange) > 0)
     relaxation_.forget();

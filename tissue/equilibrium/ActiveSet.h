@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tissue/agents/AgentStore.h"
+#include "tissue/agents/Chunks.h"
+#include "tissue/equilibrium/ActiveChunk.h"
+
+namespace restenosis {
+
+/// The agents that a relaxation moves, in ascending order, chunk by chunk.
+class ActiveSet {
+ public:
+  /// Makes it the empty set of so many agents. Gives memory back where it was large and became small.
+  void reset(std::size_t agents);
+
+  bool contains(Index i) const { return isActive_[i] != 0; }
+  std::size_t size() const { return agents_.size(); }
+  bool empty() const { return agents_.empty(); }
+  std::span<const Index> agents() const { return agents_; }
+  /// The place of agent i, which is active: agents()[place] == i.
+  std::size_t placeOf(Index i) const;
+  ActiveChunk& chunkOf(std::size_t place) { return chunks_[place / ActiveChunk::capacity]; }
+  const ActiveChunk& chunkOf(std::size_t place) const { return chunks_[place / ActiveChunk::capacity]; }
+  /// The place in its chunk.
+  static std::size_t inChunk(std::size_t place) { return place % ActiveChunk::capacity; }
+  std::span<ActiveChunk> chunks() { return chunks_; }
+
+  /// Adds agents, in ascending order and none of them active. set(chunk, n, k) makes the n-th of a chunk the
+  /// k-th of them; it is called by several threads.
+  template <class Set>
+  void add(std::span<const Index> added, const Set& set) {
+    makePlaces(added);
+    forEachInChunks(added.size(), [&](std::size_t k) {
+      const std::size_t place = placeOf(added[k]);
+      set(chunkOf(place), inChunk(place), k);
+    });
+    fillLastLanes();
+  }
+  /// Removes the agents whose entry in `keep`, by place, is 0.
+  void keepOnly(std::span<const std::uint8_t> keep);
+
+  /// Calls f(chunk, agents, first) for each chunk, its agents and the place of the first, in parallel.
+  template <class F>
+  void forEachChunk(const F& f) {
+    forEachPiece(size(),
+                 [&](std::size_t begin, std::size_t end) { f(chunkOf(begin), slice(begin, end), begin); });
+  }
+  /// Lets f(chunk, agents, part) add each chunk to a Sum of its own, then joins these in order.
+  template <class Sum, class F>
+  Sum reduce(const F& f) const {
+    return reducePieces<Sum>(size(), [&](std::size_t begin, std::size_t end, Sum& part) {
+      f(chunkOf(begin), slice(begin, end), part);
+    });
+  }
+  /// Concatenates what f(chunk, agents, first, found) appends to `found`.
+  template <class F>
+  std::vector<Index> gather(const F& f) {
+    return gatherPieces(size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+      f(chunkOf(begin), slice(begin, end), begin, found);
+    });
+  }
+
+ private:
+  std::span<const Index> slice(std::size_t begin, std::size_t end) const {
+    return agents().subspan(begin, end - begin);
+  }
+  void resize(std::size_t count);
+  /// Makes places for more agents; those of the others follow.
+  void makePlaces(std::span<const Index> added);
+  void copy(std::size_t to, std::size_t from);
+  void fillLastLanes();
+
+  std::vector<Index> agents_;
+  std::vector<ActiveChunk> chunks_;
+  std::vector<std::uint8_t> isActive_;  ///< of all agents
+};
+
+}  // namespace restenosis

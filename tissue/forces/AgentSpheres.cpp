@@ -1,0 +1,66 @@
+#include "tissue/forces/AgentSpheres.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tissue/agents/Chunks.h"
+
+namespace restenosis {
+namespace {
+
+Sphere exactSphere(const AgentStore& agents, Index i) {
+  return {agents.x[i], agents.y[i], agents.z[i], agents.radius[i]};
+}
+
+FixedSphere fixedSphere(const AgentStore& agents, Index i, const FixedScale& scale) {
+  return fixedSphere(scale, agents.position(i), static_cast<float>(agents.radius[i]));
+}
+
+}  // namespace
+
+void AgentSpheres::copyAll() {
+  scale_ = wanted_;
+  if (scale_ && !agentsThat(agents_.size(), [this](Index i) { return !fits(i); }).empty()) scale_.reset();
+  none_ = agents_.size() + agents_.size() / 8;
+  exact_ = scale_ ? std::vector<Sphere>() : packSpheres(agents_, none_);
+  fixed_ = scale_ ? packSpheres(agents_, none_, *scale_) : std::vector<FixedSphere>();
+}
+
+bool AgentSpheres::fits(Index i) const {
+  const double limit = wanted_->reach() / 4;
+  return agents_.radius[i] <= limit && std::ranges::all_of(bonds_.of(i), [&](const Bond& bond) {
+           return (agents_.position(i) - agents_.position(bond.partner)).squaredNorm() <= limit * limit;
+         });
+}
+
+bool AgentSpheres::precisionHolds(std::span<const Index> changed) const {
+  if (!wanted_) return true;
+  return scale_ && agentsOf(changed, [this](Index i) { return !fits(i); }).empty();
+}
+
+void AgentSpheres::copy(Index i) {
+  if (scale_) {
+    fixed_[i] = fixedSphere(agents_, i, *scale_);
+  } else {
+    exact_[i] = exactSphere(agents_, i);
+  }
+}
+
+bool AgentSpheres::changed(Index i) const {
+  return scale_ ? fixed_[i] != fixedSphere(agents_, i, *scale_) : exact_[i] != exactSphere(agents_, i);
+}
+
+AgentSpheres::Change AgentSpheres::changeOf(Index i) const {
+  if (!scale_) {
+    const Sphere& s = exact_[i];
+    return {(agents_.position(i) - Vec3(s.x, s.y, s.z)).norm(), std::abs(agents_.radius[i] - s.r)};
+  }
+  const FixedSphere &before = fixed_[i], now = fixedSphere(agents_, i, *scale_);
+  const auto apart = [](std::uint32_t a, std::uint32_t b) {
+    return static_cast<double>(static_cast<std::int32_t>(a - b));
+  };
+  const Vec3 moved(apart(now.x, before.x), apart(now.y, before.y), apart(now.z, before.z));
+  return {moved.norm() * scale_->unit(), std::abs(static_cast<double>(now.r) - before.r)};
+}
+
+}  // namespace restenosis

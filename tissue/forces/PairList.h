@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tissue/forces/PairSource.h"
+
+namespace restenosis {
+
+/// The pairs of up to `capacity` agents in the format of the pair kernel, sliced ELLPACK: a slice is `width`
+/// agents side by side, and its n-th entry holds the n-th pair of each. A slice is as long as the longest list
+/// of its agents, so agents are sorted by the length of theirs. The order of an agent's pairs is kept.
+class PairList {
+ public:
+  static constexpr std::size_t capacity = 256;
+  static constexpr std::size_t width = 16;
+
+  struct alignas(64) Entry {
+    std::array<Index, width> partner;    ///< beyond the end of an agent's list: none
+    std::array<float, width> restLength;  ///< as Pair::restLength
+  };
+
+  /// `none`: an index that no agent has, that of a sphere that touches nothing.
+  void build(const PairSource& source, std::span<const Index> agents, Index none);
+
+  std::size_t size() const { return size_; }
+  std::size_t slices() const { return (size_ + width - 1) / width; }
+  std::span<const Entry> entries(std::size_t slice) const {
+    return std::span(entries_).subspan(start_[slice], start_[slice + 1] - start_[slice]);
+  }
+  /// The place among the agents of the n-th in the order of the slices.
+  std::size_t operator[](std::size_t n) const { return order_[n]; }
+  std::size_t bytes() const { return entries_.size() * sizeof(Entry); }
+
+ private:
+  std::vector<Entry> entries_;
+  std::array<std::uint32_t, capacity / width + 1> start_{};  ///< of each slice, and the end
+  std::array<std::uint8_t, capacity> order_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace restenosis
