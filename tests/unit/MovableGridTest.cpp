@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -24,9 +23,9 @@ void expectComplete(const MovableGrid& grid, const std::vector<Vec3>& points, do
   }
 }
 
-/// Puts one point.
-void place(MovableGrid& grid, Index i, const Vec3& point) {
-  grid.place(std::array{i}, [&](Index) -> const Vec3& { return point; });
+/// Moves or adds these points.
+void follow(MovableGrid& grid, const std::vector<Index>& changed, const std::vector<Vec3>& points) {
+  for (const Index i : changed) i < grid.size() ? grid.move(i, points[i]) : grid.add(points[i]);
 }
 
 Vec3 noPoint(std::size_t) { return Vec3::Zero(); }
@@ -49,24 +48,24 @@ TEST(MovableGrid, FollowsPointsThatMoveAndCome) {
       moved.push_back(static_cast<Index>(points.size()));
       points.push_back(anywhere());
     }
-    grid.place(moved, [&](Index i) -> const Vec3& { return points[i]; });
+    follow(grid, moved, points);
     ASSERT_EQ(grid.size(), points.size());
     for (const double distance : {0.01, 0.12, 0.5}) expectComplete(grid, points, distance);
   }
 }
 
-TEST(MovableGrid, LeavesOutThoseTooFarInCellsThatAreNear) {
-  const std::vector<Vec3> points = {{0.05, 0.05, 0.05}, {0.08, 0.05, 0.05}, {0.19, 0.05, 0.05}};
-  MovableGrid grid(
-      points.size(), [&](std::size_t k) { return points[k]; }, 0.1);
-  const auto near = [&] {
-    std::set<Index> found;
-    grid.forEachCandidate(points[0], 0.1, [&](Index j) { found.insert(j); });
-    return found;
+TEST(MovableGrid, TellsWhetherAnyCandidateIsWanted) {
+  MovableGrid grid(Vec3::Zero(), Vec3::Ones(), 100, 0.1);
+  for (const double x : {0.05, 0.08, 0.45}) grid.add({x, 0.05, 0.05});
+  const Vec3 place(0.05, 0.05, 0.05);
+  const auto any = [&](Index wanted) {
+    return grid.anyCandidate(place, 0.1, [&](Index j) { return j == wanted; });
   };
-  EXPECT_EQ(near(), (std::set<Index>{0, 1}));
-  place(grid, 2, Vec3(0.14, 0.05, 0.05));  // in the cell it was in
-  EXPECT_EQ(near(), (std::set<Index>{0, 1, 2}));
+  EXPECT_TRUE(any(0));
+  EXPECT_TRUE(any(1));
+  EXPECT_FALSE(any(2)) << "it is four cells away";
+  grid.move(2, {0.14, 0.05, 0.05});
+  EXPECT_TRUE(any(2));
 }
 
 TEST(MovableGrid, FindsPointsHoweverFarFromAllOthers) {
@@ -85,13 +84,13 @@ TEST(MovableGrid, FindsPointsHoweverFarFromAllOthers) {
     points[i] += Vec3(0.01, 0.2, 0);
     last.push_back(i);
   }
-  grid.place(last, [&](Index i) -> const Vec3& { return points[i]; });
+  follow(grid, last, points);
   for (const double distance : {0.01, 0.12, 1e3}) expectComplete(grid, points, distance);
 }
 
 TEST(MovableGrid, BeginsWithoutPoints) {
   MovableGrid grid(0, noPoint, 0.1);
-  place(grid, 0, Vec3(5, 5, 5));
+  grid.add({5, 5, 5});
   int found = 0;
   grid.forEachCandidate(Vec3(5, 5, 5.05), 0.1, [&](Index) { ++found; });
   EXPECT_EQ(found, 1);

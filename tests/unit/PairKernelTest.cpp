@@ -122,7 +122,8 @@ TEST(PairKernel, IsThePlainKernelUpToRounding) {
       p.bondAxialFactor = axialFactor;
       const auto plain = pairs.plainLoads(law, p);
       ASSERT_GT(largestForce(plain), 0);
-      expectNear(pairs.exactLoads(law, p), plain, 1e-13, 1e-12, law.name);
+      // Coinciding centres count as 10^-15 m apart there, and as 0 here
+      expectNear(pairs.exactLoads(law, p), plain, 1e-11, 1e-9, law.name);
       const auto mixed = pairs.mixedLoads(law, p, pairs.all);
       expectNear(mixed, plain, 2e-6, 1e-4, law.name);
       Vec3 sum = Vec3::Zero();

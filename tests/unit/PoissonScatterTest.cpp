@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t seed = 7;
 constexpr double length = 100e-6, innerRadius = 60e-6, outerRadius = 110e-6;
 
-double radiusOfName(AgentId id) { return (8 + static_cast<double>(id % 5)) * 1e-6; }
+double radiusOfId(AgentId id) { return (8 + static_cast<double>(id % 5)) * 1e-6; }
 
 /// What PoissonScatter says it does, one agent after the other, each compared with all before it.
 std::vector<Vec3> placesOneByOne(AgentId count) {
@@ -23,7 +23,7 @@ std::vector<Vec3> placesOneByOne(AgentId count) {
   double share = 0.82;
   const auto isFree = [&](AgentId id, const Vec3& place) {
     for (AgentId other = 0; other < id; ++other) {
-      const double reach = share * (radiusOfName(id) + radiusOfName(other));
+      const double reach = share * (radiusOfId(id) + radiusOfId(other));
       if ((places[other] - place).squaredNorm() < reach * reach) return false;
     }
     return true;
@@ -46,18 +46,18 @@ std::vector<Vec3> placesOneByOne(AgentId count) {
 }
 
 TEST(PoissonScatter, FindsThePlacesThatAgentsOneByOneWould) {
-  constexpr Index count = 900;  // several turns, and more than the full share has room for
+  constexpr Index count = 900;  // more than there is space for at the full share
   AgentStore agents;
-  PoissonScatter scatter(seed, length, outerRadius, 8e-6, 12e-6);
+  PoissonScatter scatter(seed, length, outerRadius, 900, 12e-6);
   const SurfaceFromAxis inner(innerRadius), outer(outerRadius);
-  scatter.add(agents, AgentKind::smc, count, radiusOfName, inner, outer);
+  scatter.add(agents, AgentKind::smc, count, radiusOfId, inner, outer);
 
   ASSERT_EQ(agents.size(), count);
   const std::vector<Vec3> expected = placesOneByOne(count);
   double leastShare = 1;
   for (Index i = 0; i < count; ++i) {
     ASSERT_LT((agents.position(i) - expected[i]).norm(), 1e-15) << i;  // rounding apart
-    ASSERT_EQ(agents.radius[i], radiusOfName(i));
+    ASSERT_EQ(agents.radius[i], radiusOfId(i));
     for (Index j = 0; j < i; ++j)
       leastShare =
           std::min(leastShare, (expected[i] - expected[j]).norm() / (agents.radius[i] + agents.radius[j]));
@@ -68,10 +68,10 @@ TEST(PoissonScatter, FindsThePlacesThatAgentsOneByOneWould) {
 
 TEST(PoissonScatter, BeginsEachGroupAtTheFullShare) {
   AgentStore agents;
-  PoissonScatter scatter(seed, length, outerRadius, 8e-6, 12e-6);
+  PoissonScatter scatter(seed, length, outerRadius, 900, 12e-6);
   const SurfaceFromAxis inner(innerRadius), outer(outerRadius);
-  scatter.add(agents, AgentKind::iel, 60, radiusOfName, inner, inner);
-  scatter.add(agents, AgentKind::smc, 5, radiusOfName, outer, outer);
+  scatter.add(agents, AgentKind::iel, 60, radiusOfId, inner, inner);
+  scatter.add(agents, AgentKind::smc, 5, radiusOfId, outer, outer);
   for (Index i = 0; i < agents.size(); ++i) {
     EXPECT_EQ(agents.kind[i], i < 60 ? AgentKind::iel : AgentKind::smc);
     EXPECT_NEAR(agents.position(i).head<2>().norm(), i < 60 ? innerRadius : outerRadius, 1e-12);

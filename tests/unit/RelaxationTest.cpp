@@ -84,7 +84,7 @@ TEST(Relaxation, LeavesFixedAgentsThePressureOfTheirPlaceToo) {
       double largest = 0;
       for (const AgentLoad& load : loads) largest = std::max(largest, std::abs(load.pressure));
       for (Index i = 0; i < block.agents.size(); ++i)
-        ASSERT_NEAR(block.agents.pressure[i], loads[i].pressure, 2e-6 * largest) << precision << " " << i;
+        ASSERT_NEAR(block.agents.pressure[i], loads[i].pressure, 1e-5 * largest) << precision << " " << i;
     };
     expectPressures();
     block.agents.radius[block.agents.size() / 10] *= 1.2;
@@ -102,7 +102,7 @@ TEST(Relaxation, LeavesNoForceAboveTheTolerance) {
       EXPECT_TRUE(report.converged);
       EXPECT_GT(report.iterations, 0);
       EXPECT_LE(report.residual, p.relaxation.tolerance);
-      EXPECT_NEAR(report.residual / largestResidual(p, block), 1, 1e-6) << law << ' ' << minimiser;
+      EXPECT_NEAR(report.residual / largestResidual(p, block), 1, 1e-4) << law << ' ' << minimiser;
     }
   }
 }
@@ -388,7 +388,7 @@ TEST(Relaxation, NamesTheSettingsWhenItFails) {
   const auto report = Relaxation(p.forces, p.relaxation, r).relax(again.agents, again.bonds, {});
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 2);
-  EXPECT_NEAR(report.residual / largestResidual(p, again), 1, 1e-6);
+  EXPECT_NEAR(report.residual / largestResidual(p, again), 1, 1e-4);
 }
 
 TEST(Relaxation, NamesTheAgentWithoutAPosition) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tissue/neighbours/PointGrid.h"
+#include "tissue/neighbours/CellGrid.h"
 #include "tissue/stent/StentDesign.h"
 #include "tissue/stent/StrutAgents.h"
 #include "tissue/vessel/Cylindrical.h"
@@ -73,17 +73,15 @@ TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
   }
   // No place on the outer face is further from the next sphere than a cell could slip into: half the face
   // diagonal of spacing r from the nearest centre in the plane one radius below.
-  PointGrid grid({-1e-3, -1e-3, 0}, {1e-3, 1e-3, 2e-3}, 30e-6);
-  for (std::size_t n = 0; n < stent.spheres.size(); ++n) grid.insert(static_cast<Index>(n), stent.centre(n));
+  const CellGrid grid(
+      stent.spheres.size(), [&](std::size_t n) { return stent.centre(n); }, 30e-6);
   for (const StrutSegment& segment : stent.segments) {
     const Vec3 across = (segment.b - segment.a).normalized().cross(segment.radial);
     for (const double w : {-30e-6, 0.0, 30e-6}) {
       const Vec3 place = 0.5 * (segment.a + segment.b) + w * across + 30e-6 * segment.radial;
       double nearest = 1;
-      grid.visit(place, 40e-6, [&](Index, double squared) {
-        nearest = std::min(nearest, std::sqrt(squared));
-        return true;
-      });
+      grid.forEachCandidate(
+          place, 40e-6, [&](Index n) { nearest = std::min(nearest, (stent.centre(n) - place).norm()); });
       ASSERT_LT(nearest, 13e-6);
     }
   }

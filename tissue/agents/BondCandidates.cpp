@@ -17,13 +17,13 @@ std::size_t connectNearestFirst(const AgentStore& agents, BondTable& bonds,
   });
   std::vector<std::uint32_t> wanted(agents.size());
   for (const BondCandidate& pair : candidates) ++wanted[pair.a], ++wanted[pair.b];
-  const auto room = [&](Index i) { return BondTable::maxBonds - bonds.of(i).size(); };
+  const auto left = [&](Index i) { return BondTable::maxBonds - bonds.of(i).size(); };
   if (candidates.size() > agents.size()) {
-    bonds.growCapacity(
-        [&](Index i) { return static_cast<std::uint32_t>(std::min<std::size_t>(wanted[i], room(i))); });
+    bonds.reserveMore(
+        [&](Index i) { return static_cast<std::uint32_t>(std::min<std::size_t>(wanted[i], left(i))); });
   }
-  // Who has room for all who want it gets them in whatever order: that of memory, which is the quickest.
-  const auto getsAll = [&](Index i) { return wanted[i] <= room(i); };
+  // Agents that may have all their candidates get them in any order: that of memory is the quickest.
+  const auto getsAll = [&](Index i) { return wanted[i] <= left(i); };
   std::size_t made = 0;
   std::erase_if(candidates, [&](const BondCandidate& pair) {
     if (!getsAll(pair.a) || !getsAll(pair.b)) return false;

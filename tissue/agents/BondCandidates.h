@@ -19,7 +19,7 @@ struct BondCandidate {
 /// packed or deployed has such a pair.
 inline constexpr double nearestBonded = 0.5;
 
-/// Bonds candidates, the nearest first, as long as both have room (BondTable::maxBonds), are not bonded
+/// Bonds candidates, the nearest first, as long as neither has BondTable::maxBonds, they are not bonded
 /// yet and are no nearer than nearestBonded. The rest length is their distance, so that the bonds carry
 /// nothing now. Ids break ties, so that the order of agents in memory cannot matter. A pair may be named more
 /// than once. Returns the number of bonds made.

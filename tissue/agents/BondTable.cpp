@@ -8,10 +8,10 @@
 namespace restenosis {
 namespace {
 
-// Rows get room for so many bonds at a time.
-constexpr std::uint32_t moreRoom = 4;
+// A list without capacity left gets it for so many bonds.
+constexpr std::uint32_t moreCapacity = 4;
 
-/// Which bonds come first in a row.
+/// The order of the bonds of an agent.
 bool before(const Bond& a, const Bond& b) { return a.partner < b.partner; }
 
 }  // namespace
@@ -40,7 +40,7 @@ void BondTable::disconnectAll(Index agent) {
 void BondTable::reorder(std::span<const Index> order) {
   std::vector<Index> newIndex(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) newIndex[order[k]] = static_cast<Index>(k);
-  take(order, newIndex);
+  select(order, newIndex);
 }
 
 void BondTable::erase(std::span<const std::uint8_t> remove) {
@@ -53,32 +53,32 @@ void BondTable::erase(std::span<const std::uint8_t> remove) {
     newIndex[i] = static_cast<Index>(kept.size());
     kept.push_back(i);
   }
-  take(kept, newIndex);
+  select(kept, newIndex);
 }
 
-void BondTable::take(std::span<const Index> agents, std::span<const Index> newIndex) {
-  RowPool<Bond> rows;
-  rows.layOut(agents.size(), [&](std::size_t k) { return of(agents[k]).size(); });
+void BondTable::select(std::span<const Index> agents, std::span<const Index> newIndex) {
+  JaggedArray<Bond> lists;
+  lists.layOut(agents.size(), [&](std::size_t k) { return of(agents[k]).size(); });
   for (std::size_t k = 0; k < agents.size(); ++k) {
-    std::ranges::transform(of(agents[k]), rows[k].begin(), [&](const Bond& bond) {
+    std::ranges::transform(of(agents[k]), lists[k].begin(), [&](const Bond& bond) {
       return Bond{.partner = newIndex[bond.partner], .restLength = bond.restLength};
     });
-    std::ranges::sort(rows[k], before);
+    std::ranges::sort(lists[k], before);
   }
-  rows_ = std::move(rows);
+  lists_ = std::move(lists);
 }
 
 void BondTable::insert(Index agent, Bond bond) {
-  if (rows_.wasteful()) rows_.compact();
-  rows_.append(agent, bond, moreRoom - 1);
-  const std::span<Bond> row = rows_[agent];
-  std::rotate(std::upper_bound(row.begin(), row.end() - 1, bond, before), row.end() - 1, row.end());
+  if (lists_.wasteful()) lists_.compact();
+  const auto bonds = of(agent);
+  const auto position = std::ranges::upper_bound(bonds, bond, before) - bonds.begin();
+  lists_.insert(agent, static_cast<std::size_t>(position), bond, moreCapacity - 1);
 }
 
 void BondTable::remove(Index agent, Index partner) {
-  const std::span<Bond> row = rows_[agent];
-  const auto removed = std::ranges::remove(row, partner, &Bond::partner);
-  rows_.shorten(agent, row.size() - removed.size());
+  const auto bonds = of(agent);
+  const auto position = std::ranges::find(bonds, partner, &Bond::partner) - bonds.begin();
+  if (position < std::ssize(bonds)) lists_.erase(agent, static_cast<std::size_t>(position));
 }
 
 }  // namespace restenosis

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tissue/agents/AgentStore.h"
-#include "tissue/agents/RowPool.h"
+#include "tissue/agents/JaggedArray.h"
 
 namespace restenosis {
 
@@ -22,21 +22,19 @@ class BondTable {
  public:
   static constexpr std::size_t maxBonds = 12;
 
-  std::span<const Bond> of(Index agent) const { return rows_[agent]; }
-  /// Brings into the cache what of() these agents refers to. Speed only.
-  void readAhead(std::span<const Index> agents) const { rows_.readAhead(agents); }
-  Index size() const { return static_cast<Index>(rows_.size()); }
-  std::size_t bondCount() const { return rows_.elementCount() / 2; }
+  std::span<const Bond> of(Index agent) const { return lists_[agent]; }
+  Index size() const { return static_cast<Index>(lists_.size()); }
+  std::size_t bondCount() const { return lists_.elementCount() / 2; }
 
-  /// Makes room for `agents` agents; new ones have no bonds.
-  void resize(Index agents) { rows_.resize(agents); }
-  /// Gives agent i room for moreOf(i) more bonds, so that making them moves no row. Speed only.
+  /// Makes it the table of `agents` agents; new ones have no bonds.
+  void resize(Index agents) { lists_.resize(agents); }
+  /// Reserves memory for moreOf(i) more bonds of agent i, so that making them moves no list. Speed only.
   template <class MoreOf>
-  void growCapacity(const MoreOf& moreOf) {
-    rows_.spread([&](std::size_t i) { return moreOf(static_cast<Index>(i)); });
+  void reserveMore(const MoreOf& moreOf) {
+    lists_.spread([&](std::size_t i) { return moreOf(static_cast<Index>(i)); });
   }
   bool bonded(Index a, Index b) const;
-  /// Bonds a and b unless they are bonded or either has no room left; tells whether it did.
+  /// Bonds a and b unless they are bonded or either has as many as it may; tells whether it did.
   bool connect(Index a, Index b, double restLength);
   void disconnect(Index a, Index b);
   void disconnectAll(Index agent);
@@ -46,16 +44,16 @@ class BondTable {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(rows_);
+    a(lists_);
   }
 
  private:
   void insert(Index agent, Bond bond);
   void remove(Index agent, Index partner);
-  /// Afterwards agent k has the bonds of agent agents[k], whose partners are called newIndex[partner] now.
-  void take(std::span<const Index> agents, std::span<const Index> newIndex);
+  /// Afterwards agent k has the bonds of agent agents[k], whose partners have the index newIndex[partner] now.
+  void select(std::span<const Index> agents, std::span<const Index> newIndex);
 
-  RowPool<Bond> rows_;
+  JaggedArray<Bond> lists_;
 };
 
 }  // namespace restenosis

@@ -75,6 +75,11 @@ class Numbers {
     for (int k = 1; k < n; ++k) total += v_[k];
     return total;
   }
+  Real smallest() const {
+    Real least = v_[0];
+    for (int k = 1; k < n; ++k) least = v_[k] < least ? v_[k] : least;
+    return least;
+  }
   Real largest() const {
     Real most = v_[0];
     for (int k = 1; k < n; ++k) most = v_[k] > most ? v_[k] : most;

@@ -29,6 +29,8 @@ class Equilibration {
   Equilibration(AgentStore& agents, const BondTable& bonds, std::span<const Constraint* const> constraints,
                 const ForceField& field, NeighbourList& neighbours, const ForceCache::Settings& settings,
                 const RelaxationParameters& parameters);
+  Equilibration(const Equilibration&) = delete;
+  Equilibration& operator=(const Equilibration&) = delete;
 
   /// Moves the free agents until the residual of none is above the tolerance, or for `maximumIterations`.
   /// `beforeIteration` may throw to end it.

@@ -43,8 +43,9 @@ class PairKernel {
       for (std::size_t n = 0; n < count; ++n) self[n] = agents[list[first + n]];
       std::fill(self.begin() + count, self.end(), self[0]);  // lanes beyond the last have no pairs
       prefetchNext(list, agents, first + lanes);
-      if (!sum<false>(entries, lane, self, ofLanes)) [[unlikely]]
-        sum<true>(entries, lane, self, ofLanes);
+      const Values nearest2 = sum<false>(entries, lane, self, ofLanes);
+      if (nearest2.smallest() == 0) [[unlikely]]
+        separate(entries, lane, self, nearest2, ofLanes);
       for (std::size_t n = 0; n < count; ++n) loads[list[first + n]] = ofLanes[n];
     }
   }
@@ -70,10 +71,21 @@ class PairKernel {
       spheres_.prefetch(entry.partner.data() + first % PairList::width);
   }
 
-  /// The loads of the agents `self`, whose pairs begin at `lane`. Returns false, the loads being wrong, if
-  /// centres coincide and `separate` is not set.
-  template <bool separate>
-  bool sum(std::span<const PairList::Entry> entries, std::size_t lane, const std::array<Index, lanes>& self,
+  /// Sets the loads of those agents whose centre is that of a partner. Those of the others are left as they
+  /// are: no bit of them may depend on the agents of other lanes.
+  void separate(std::span<const PairList::Entry> entries, std::size_t lane,
+                const std::array<Index, lanes>& self, const Values& nearest2,
+                std::array<AgentLoad, lanes>& loads) const {
+    std::array<AgentLoad, lanes> separated;
+    sum<true>(entries, lane, self, separated);
+    for (int k = 0; k < lanes; ++k)
+      if (nearest2[k] == 0) loads[k] = separated[k];
+  }
+
+  /// Sets the loads of the agents `self`, whose pairs begin at `lane`. Returns the square of the distance of
+  /// the nearest partner [m^2], or of a metre; where it is 0 the loads are right only if `separated` is set.
+  template <bool separated>
+  Values sum(std::span<const PairList::Entry> entries, std::size_t lane, const std::array<Index, lanes>& self,
            std::array<AgentLoad, lanes>& loads) const {
     const auto here = spheres_.at(self.data());
     const bool isotropic = attraction_.axialFactor == 1;
@@ -85,7 +97,7 @@ class PairKernel {
       Values dx, dy, dz;
       spheres_.separation(here, there, dx, dy, dz);
       Values distance2 = dx * dx + dy * dy + dz * dz;
-      if constexpr (separate) {
+      if constexpr (separated) {
         separateCoinciding(self, partners, dx, dy, dz, distance2);
       } else {
         nearest2 = nearest2.min(distance2);
@@ -113,15 +125,13 @@ class PairKernel {
       fz += overDistance * dz;
       virial += push * distance;
     }
-    bool apart = true;
     for (int k = 0; k < lanes; ++k) {
-      apart &= nearest2[k] > 0;
       const double r = here.r[k];
       loads[k] = {fx[k], fy[k], fz[k],
                   virial[k] / (8 * std::numbers::pi * r * r * r),  // 2 (halves) x 3 (trace) x V
                   stiffness[k]};
     }
-    return apart;
+    return nearest2;
   }
 
   /// Gives coinciding centres a direction: the agent of lower index is pushed along (1, 1, 1) and the other

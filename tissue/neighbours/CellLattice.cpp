@@ -13,9 +13,6 @@ constexpr double cellsPerPoint = 8;
 constexpr double fewestCells = 4096;
 constexpr std::int64_t smallestSide = 4;
 
-// Cells from the origin up to which a double tells where in its cell a coordinate is.
-constexpr double farthestCell = 0x1p36;
-
 double cellAlong(double coordinate, double cellSize) { return std::floor(coordinate / cellSize); }
 
 }  // namespace
@@ -58,18 +55,7 @@ CellLattice::Window CellLattice::window(double coordinate, double distance, int 
   const double first = cellAlong(coordinate - distance, cellSize_);
   const double count = cellAlong(coordinate + distance, cellSize_) - first + 1;
   if (!(count < static_cast<double>(size_[axis]))) return {0, size_[axis]};
-  const double own = cellAlong(coordinate, cellSize_);
-  return {.first = wrapped(first, axis),
-          .count = static_cast<std::int64_t>(count),
-          .offset = static_cast<int>(first - own),
-          .known = std::abs(own) < farthestCell};
-}
-
-CellLattice::InCell CellLattice::inCell(const Vec3& point) const {
-  InCell in{.place = Vec3::Zero(), .known = (point.cwiseAbs().array() / cellSize_ < farthestCell).all()};
-  for (int axis = 0; axis < 3 && in.known; ++axis)
-    in.place[axis] = InCell::most * (point[axis] / cellSize_ - cellAlong(point[axis], cellSize_));
-  return in;
+  return {.first = wrapped(first, axis), .count = static_cast<std::int64_t>(count)};
 }
 
 }  // namespace restenosis

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "tissue/agents/AgentStore.h"
 #include "tissue/agents/Chunks.h"
@@ -12,8 +11,8 @@
 namespace restenosis {
 
 /// Cubic cells of one size that fill space, numbered modulo the sides of a box that has never more than a few
-/// cells a point: a point far from all others shares a cell with some of them instead of stretching the box,
-/// so whoever looks for points in a cell must test distances, and does so anyway.
+/// cells a point: a point far from all others shares a cell with some of them instead of stretching the box.
+/// A search for points in a cell must therefore test distances, as it does anyway.
 class CellLattice {
  public:
   /// For `count` points, pointAt(k) the k-th of them, all finite. `cellSize` > 0 [m], or
@@ -21,45 +20,30 @@ class CellLattice {
   template <class PointAt>
   CellLattice(std::size_t count, const PointAt& pointAt, double cellSize)
       : CellLattice(boxOf(count, pointAt), count, cellSize) {}
+  /// For about `count` points between the corners `low` and `high` [m].
+  CellLattice(const Vec3& low, const Vec3& high, std::size_t count, double cellSize)
+      : CellLattice(Box{low, high}, count, cellSize) {}
 
   double cellSize() const { return cellSize_; }
   std::size_t cellCount() const { return static_cast<std::size_t>(size_[0] * size_[1] * size_[2]); }
   std::uint32_t cellOf(const Vec3& point) const;
 
-  /// How far a cell is from that of a point, in cells along each axis. It is not known in a box so small, or
-  /// so far from the origin, that a cell may stand for several.
-  struct Offset {
-    int x = 0, y = 0, z = 0;
-    bool known = true;
-  };
-  /// Calls f(begin, end, offset) for rows of cells [begin, end) that the ball around `point` may touch, no
-  /// cell twice: all points within `distance` of `point` are in one of them. `offset` is that of the first.
+  /// Calls f(begin, end) for ranges of cells [begin, end) that the ball around `point` may touch, no cell
+  /// twice: all points within `distance` of `point` are in one of them.
   template <class F>
-  void forEachRow(const Vec3& point, double distance, F&& f) const {
+  void forEachRange(const Vec3& point, double distance, const F& f) const {
     const Window wx = window(point.x(), distance, 0);
     const Window wy = window(point.y(), distance, 1);
     const Window wz = window(point.z(), distance, 2);
-    const std::int64_t whole = std::min(wx.count, size_[0] - wx.first);  // cells before the row wraps around
-    Offset offset{.known = wx.known && wy.known && wz.known};
+    const std::int64_t whole = std::min(wx.count, size_[0] - wx.first);  // cells before x wraps around
     for (std::int64_t kz = 0, z = wz.first; kz < wz.count; ++kz, z = next(z, 2)) {
       for (std::int64_t ky = 0, y = wy.first; ky < wy.count; ++ky, y = next(y, 1)) {
-        const std::int64_t row = (z * size_[1] + y) * size_[0];
-        offset.x = wx.offset, offset.y = wy.offset + static_cast<int>(ky);
-        offset.z = wz.offset + static_cast<int>(kz);
-        f(row + wx.first, row + wx.first + whole, std::as_const(offset));
-        offset.x += static_cast<int>(whole);
-        if (whole < wx.count) f(row, row + wx.count - whole, std::as_const(offset));
+        const std::int64_t line = (z * size_[1] + y) * size_[0];
+        f(line + wx.first, line + wx.first + whole);
+        if (whole < wx.count) f(line, line + wx.count - whole);
       }
     }
   }
-
-  /// Where in its cell a point is, of which there are `most` along each axis.
-  struct InCell {
-    static constexpr float most = 1024;
-    Vec3 place;  ///< from 0 to below `most`, if it is known
-    bool known;
-  };
-  InCell inCell(const Vec3& point) const;
 
  private:
   struct Box {
@@ -75,12 +59,9 @@ class CellLattice {
     });
   }
   CellLattice(const Box& box, std::size_t count, double cellSize);
-  /// `count` cells from `first` on, wrapping around: no cell twice. The first is `offset` cells from that of
-  /// the coordinate.
+  /// `count` cells from `first` on, wrapping around: no cell twice.
   struct Window {
     std::int64_t first, count;
-    int offset = 0;
-    bool known = false;
   };
   Window window(double coordinate, double distance, int axis) const;
   std::int64_t next(std::int64_t cell, int axis) const { return cell + 1 == size_[axis] ? 0 : cell + 1; }

@@ -8,7 +8,7 @@
 
 namespace restenosis {
 
-/// Answers who is near an agent. Holds scratch memory: one query object a thread, any number over one grid.
+/// Finds the agents near an agent. Holds scratch memory: one query object a thread, any number over one grid.
 /// The agents must not have moved since the grid was made.
 class NeighbourQuery {
  public:

@@ -19,13 +19,11 @@ double longestReach(const Stent& stent) {
   return reach;
 }
 
-PointGrid emptyGrid(const Stent& stent, double radius, double cell) {
-  Vec3 low(-radius, -radius, 0), high(radius, radius, 0);
-  for (const StrutSegment& segment : stent.segments) {
-    low.z() = std::min({low.z(), segment.a.z(), segment.b.z()});
-    high.z() = std::max({high.z(), segment.a.z(), segment.b.z()});
-  }
-  return {low, high, cell};
+std::vector<Vec3> middlesOf(const Stent& stent, double radius) {
+  std::vector<Vec3> middles;
+  for (const StrutSegment& segment : stent.segments)
+    middles.push_back(atRadius(0.5 * (segment.a + segment.b), radius));
+  return middles;
 }
 
 }  // namespace
@@ -34,12 +32,9 @@ StrutFootprint::StrutFootprint(const Stent& stent)
     : stent_(stent),
       radius_(meanRadius(stent)),
       reach_(longestReach(stent)),
-      grid_(emptyGrid(stent, radius_, reach_)) {
-  for (std::size_t n = 0; n < stent.segments.size(); ++n) {
-    const StrutSegment& segment = stent.segments[n];
-    grid_.insert(static_cast<Index>(n), onSurface(0.5 * (segment.a + segment.b)));
-  }
-}
+      middles_(middlesOf(stent, radius_)),
+      grid_(
+          middles_.size(), [this](std::size_t n) -> const Vec3& { return middles_[n]; }, reach_) {}
 
 Vec3 StrutFootprint::onSurface(const Vec3& place) const { return atRadius(place, radius_); }
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "tissue/neighbours/PointGrid.h"
+#include <vector>
+
+#include "tissue/neighbours/CellGrid.h"
 #include "tissue/stent/Stent.h"
 
 namespace restenosis {
@@ -20,10 +22,10 @@ class StrutFootprint {
   /// Calls f(hit) for each segment whose footprint, `margin` narrower on both sides, holds the place.
   template <class F>
   void visit(const Vec3& place, double margin, F&& f) const {
-    grid_.visit(onSurface(place), reach_, [&](Index n, double) {
+    const Vec3 here = onSurface(place);
+    grid_.forEachCandidate(here, reach_, [&](Index n) {
       Hit hit{};
-      if (holds(n, place, margin, hit)) f(hit);
-      return true;
+      if ((middles_[n] - here).squaredNorm() < reach_ * reach_ && holds(n, place, margin, hit)) f(hit);
     });
   }
 
@@ -34,7 +36,8 @@ class StrutFootprint {
   const Stent& stent_;
   double radius_;  ///< of the cylinder on which footprints are compared [m]
   double reach_;
-  PointGrid grid_;
+  std::vector<Vec3> middles_;  ///< of the segments, on that cylinder [m]
+  CellGrid grid_;              ///< of the middles
 };
 
 }  // namespace restenosis

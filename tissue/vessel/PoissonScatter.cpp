@@ -1,21 +1,18 @@
 #include "tissue/vessel/PoissonScatter.h"
 
-#include <algorithm>
-#include <optional>
-#include <vector>
+#include <cmath>
+#include <numbers>
 
-#include "tissue/agents/Chunks.h"
 #include "tissue/vessel/Cylindrical.h"
 
 namespace restenosis {
 
-PoissonScatter::PoissonScatter(std::uint64_t seed, double length, double outerRadius, double smallest,
+PoissonScatter::PoissonScatter(std::uint64_t seed, double length, double outerRadius, std::size_t count,
                                double largest)
     : seed_(seed),
       length_(length),
-      smallest_(smallest),
       largest_(largest),
-      grid_({-outerRadius, -outerRadius, 0}, {outerRadius, outerRadius, length}, 2 * largest) {}
+      grid_({-outerRadius, -outerRadius, 0}, {outerRadius, outerRadius, length}, count, 2 * largest) {}
 
 Vec3 PoissonScatter::draw(RandomStream& stream, const Region& region) const {
   const auto& [inner, outer] = region;
@@ -35,37 +32,10 @@ Vec3 PoissonScatter::draw(RandomStream& stream, const Region& region) const {
   }
 }
 
-void PoissonScatter::tryNext(Seeker& seeker, const Region& region) const {
-  if (seeker.next == seeker.drawn) {
-    seeker.drawn = std::min(seeker.ahead.size(), 2 * seeker.drawn + 1), seeker.next = 0;
-    for (Vec3& place : std::span(seeker.ahead).first(seeker.drawn))
-      grid_.fetch(place = draw(seeker.stream, region));
-  }
-  seeker.place = seeker.ahead[seeker.next++];
-  ++seeker.tries;
-}
-
-bool PoissonScatter::seek(Seeker& seeker, const Region& region, const AgentStore& agents) const {
-  // Most that are in the way are so near that their radii need not be read.
-  const double least = share_ * (seeker.radius + smallest_);
-  do {
-    tryNext(seeker, region);
-    const bool isFree =
-        grid_.visit(seeker.place, share_ * (seeker.radius + largest_), [&](Index other, double squared) {
-          if (squared < least * least) return false;
-          const double reach = share_ * (seeker.radius + agents.radius[other]);
-          return squared >= reach * reach;
-        });
-    if (isFree) return true;
-  } while (seeker.tries % triesBeforeLowering != 0);
-  return false;
-}
-
-bool PoissonScatter::isFreeOf(std::span<const Index> others, const Seeker& seeker,
-                              const AgentStore& agents) const {
-  return std::ranges::none_of(others, [&](Index other) {
-    const double reach = share_ * (seeker.radius + agents.radius[other]);
-    return (agents.position(other) - seeker.place).squaredNorm() < reach * reach;
+bool PoissonScatter::isFree(const AgentStore& agents, const Vec3& place, double radius) const {
+  return !grid_.anyCandidate(place, share_ * (radius + largest_), [&](Index other) {
+    const double reach = share_ * (radius + agents.radius[other]);
+    return (agents.position(other) - place).squaredNorm() < reach * reach;
   });
 }
 
@@ -73,37 +43,17 @@ void PoissonScatter::add(AgentStore& agents, AgentKind kind, Index count, const 
                          const SurfaceFromAxis& inner, const SurfaceFromAxis& outer) {
   const Region region{inner, outer};
   share_ = initialShare;
-  std::vector<std::optional<Seeker>> seekers;
-  std::vector<std::uint8_t> found;
-  std::vector<Index> placed;
   for (const Index end = agents.size() + count; agents.size() < end;) {
-    if (meanwhile_) meanwhile_();
-    const AgentId first = agents.nextId;
-    const std::size_t looking = std::min(turn, end - agents.size());
-    seekers.assign(looking, {});
-    found.assign(looking, 0);
-    placed.clear();
-    const auto look = [&](std::size_t from, std::size_t to) {
-      for (std::size_t n = from; n < to; ++n) {
-        const AgentId id = first + n;
-        seekers[n].emplace(RandomStream(seed_, id, 0, RandomPurpose::packing), radiusOf(id));
-        found[n] = seek(*seekers[n], region, agents);
-      }
-    };
-    forEachPiece(looking, look, parallelFromSeekers, seekersOfPiece);
-    // Once the share is lower, those after may find places among what they tried already: in a new turn.
-    const double share = share_;
-    for (std::size_t n = 0; n < looking && share_ == share; ++n) {
-      Seeker& seeker = *seekers[n];
-      bool isFree = found[n] && isFreeOf(placed, seeker, agents);
-      while (!isFree) {
-        if (seeker.tries % triesBeforeLowering == 0) share_ *= 0.99;
-        isFree = seek(seeker, region, agents);
-      }
-      const Index index = agents.append(kind, seeker.place, seeker.radius);
-      grid_.insert(index, seeker.place);
-      placed.push_back(index);
+    if (callback_ && (end - agents.size()) % agentsBetweenCallbacks == 0) callback_();
+    RandomStream stream(seed_, agents.nextId, 0, RandomPurpose::packing);
+    const double radius = radiusOf(agents.nextId);
+    Vec3 place = draw(stream, region);
+    for (int tries = 1; !isFree(agents, place, radius); ++tries) {
+      if (tries % triesBeforeLowering == 0) share_ *= 0.99;
+      place = draw(stream, region);
     }
+    agents.append(kind, place, radius);
+    grid_.add(place);
   }
 }
 

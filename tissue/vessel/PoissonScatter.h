@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <span>
 #include <utility>
 
 #include "tissue/agents/RandomStream.h"
-#include "tissue/neighbours/PointGrid.h"
+#include "tissue/neighbours/MovableGrid.h"
 #include "tissue/vessel/SurfaceFromAxis.h"
 
 namespace restenosis {
@@ -15,24 +13,20 @@ namespace restenosis {
 /// Adds agents at random places between two surfaces, one after another, none nearer to an earlier one than
 /// a share of the sum of their radii. The share starts high and is lowered a little whenever an agent finds
 /// no place, so it always ends. Every place is a function of (seed, agent id).
-///
-/// Those next in turn look for places at once, each on its own among all who have theirs; then one after
-/// another takes what it found, or goes on looking where one of the turn was first. Places are those that
-/// agents on their own would find.
 class PoissonScatter {
  public:
-  /// Agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `smallest` and `largest`
-  /// bound the radii.
-  PoissonScatter(std::uint64_t seed, double length, double outerRadius, double smallest, double largest);
+  /// About `count` agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `largest` bounds
+  /// their radii.
+  PoissonScatter(std::uint64_t seed, double length, double outerRadius, std::size_t count, double largest);
 
-  /// The radius of the agent of this name [m]; asked from several threads.
+  /// The radius of the agent with this id [m].
   using RadiusOf = std::function<double(AgentId)>;
   /// Appends `count` agents of `kind` with their centres between the two surfaces, or on the surface that
   /// both are, beginning at the full share.
   void add(AgentStore& agents, AgentKind kind, Index count, const RadiusOf& radiusOf,
            const SurfaceFromAxis& inner, const SurfaceFromAxis& outer);
-  /// What to call before every turn; it may throw to give up.
-  void setCallback(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
+  /// Called now and then; it may throw to give up.
+  void setCallback(std::function<void()> callback) { callback_ = std::move(callback); }
 
  private:
   // Random sequential addition of spheres jams at 0.38 of the volume (0.55 of the area for discs); 0.82 of
@@ -40,37 +34,21 @@ class PoissonScatter {
   // start of the relaxation.
   static constexpr double initialShare = 0.82;
   static constexpr int triesBeforeLowering = 200;
-  // So many look at once, so many by one thread at a time. Speed only.
-  static constexpr Index turn = 256;
-  static constexpr std::ptrdiff_t seekersOfPiece = 16, parallelFromSeekers = 64;
+  static constexpr Index agentsBetweenCallbacks = 256;
 
   struct Region {
     const SurfaceFromAxis &inner, &outer;
   };
-  /// An agent that looks for its place.
-  struct Seeker {
-    RandomStream stream;
-    double radius;
-    int tries = 0;
-    Vec3 place = Vec3::Zero();       ///< the last that was tried
-    std::array<Vec3, 8> ahead = {};  ///< to be tried, drawn ahead: each waits for memory, these together
-    std::size_t next = 0, drawn = 0;
-  };
-
   /// A random place of uniform density.
   Vec3 draw(RandomStream& stream, const Region& region) const;
-  /// Tries the next place.
-  void tryNext(Seeker& seeker, const Region& region) const;
-  /// Tries places until one is free, which it tells, or until the share is to be lowered.
-  bool seek(Seeker& seeker, const Region& region, const AgentStore& agents) const;
-  /// Whether none of `others` is in the way of the place that a seeker found.
-  bool isFreeOf(std::span<const Index> others, const Seeker& seeker, const AgentStore& agents) const;
+  /// Whether no earlier agent is too near.
+  bool isFree(const AgentStore& agents, const Vec3& place, double radius) const;
 
   std::uint64_t seed_;
-  double length_, smallest_, largest_;
+  double length_, largest_;
   double share_ = initialShare;
-  std::function<void()> meanwhile_;
-  PointGrid grid_;
+  std::function<void()> callback_;
+  MovableGrid grid_;
 };
 
 }  // namespace restenosis

@@ -67,7 +67,7 @@ Wall scatterWall(const VesselParameters& vessel, const WallShape& shape, std::ui
   const AgentCounts counts = countAgents(vessel, shape);
   Wall wall = emptyWall(vessel);
   const double widest = radiusCut * vessel.radiusSpread * vessel.cellRadius;
-  PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), vessel.cellRadius - widest,
+  PoissonScatter scatter(seed, vessel.length, shape.eel.greatest(), counts.total(),
                          vessel.cellRadius + widest);
   scatter.setCallback(meanwhile);
   wall.agents.reserve(counts.total());
