@@ -176,8 +176,11 @@ TEST(ForceCache, FollowsAgentsThatMoveFartherThanTheSkin) {
   });
   forces.evaluate(active);
 
-  const Vec3 there = agents.position(300) + Vec3(r, 0, 0);
+  const Vec3 here = agents.position(40), there = agents.position(300) + Vec3(r, 0, 0);
+  const Index formerPartner = at.neighbours.of(40).front();
+  ASSERT_TRUE(forces.mayAct(40, here, formerPartner, 0));
   ActiveChunk& chunk = active.chunkOf(0);
+  chunk.path[0] = static_cast<float>((there - here).norm());
   chunk.x[0] = there.x(), chunk.y[0] = there.y(), chunk.z[0] = there.z();
   forces.move(40, there, chunk.radius[0]);
   forces.store(active, 0);
@@ -186,8 +189,10 @@ TEST(ForceCache, FollowsAgentsThatMoveFartherThanTheSkin) {
   forces.evaluate(active);
   at.loads = at.field.evaluate(agents, at.heap.bonds);
   at.expectForce(chunk.force(0), 40);
+  forces.markAround(40, chunk.path[0]);
   const Agents stale = forces.extractStale(active);
-  EXPECT_EQ(std::ranges::count(stale, 300), 1) << "the list of agent 300 has a new entry";
+  EXPECT_EQ(std::ranges::count(stale, 300), 1);
+  EXPECT_EQ(std::ranges::count(stale, formerPartner), 1) << "it is no longer listed";
 }
 
 TEST(ForceCache, NamesTheAgentOnWhichTheForceIsNotFinite) {

@@ -62,11 +62,11 @@ void ForceCache::refresh() {
   if (!precisionHolds_ || !neighbours_.sameAgents(agents_)) return refreshAll();
 
   std::vector<Index> changed = agentsThat(known, [this](Index i) { return spheres_.changed(i); });
+  const std::size_t knownChanged = changed.size();
   for (Index i = known; i < agents_.size(); ++i) changed.push_back(i);
   if (!spheres_.precisionHolds(changed)) return refreshAll();
   std::vector<double> slack(changed.size());
-  forEachInChunks(changed.size(), [&](std::size_t k) {
-    if (changed[k] >= known) return;
+  forEachInChunks(knownChanged, [&](std::size_t k) {
     const AgentSpheres::Change change = spheres_.changeOf(changed[k]);
     slack[k] = change.distance + std::max(range_.factor, range_.daughterFactor) * change.growth;
   });
@@ -74,7 +74,9 @@ void ForceCache::refresh() {
   growCapacity(residual_, agents_.size());
   residual_.resize(agents_.size(), 0);
   stale_.resize(agents_.size());
-  applyChange(neighbours_.update(agents_, range_));
+  // By the former list, too: an agent that moved far is no longer listed for its former neighbours.
+  forEachInChunks(knownChanged, [&](std::size_t k) { markAround(changed[k], slack[k]); });
+  if (neighbours_.update(agents_, range_).all) stale_.markAll();
   if (agents_.size() > spheres_.none()) {
     spheres_.copyAll();
   } else {
@@ -92,11 +94,6 @@ void ForceCache::refreshAll() {
   stale_.markAll();
 }
 
-void ForceCache::applyChange(const NeighbourList::Change& change) {
-  if (change.all) stale_.markAll();
-  for (const Index i : change.agents) stale_.mark(i);
-}
-
 void ForceCache::store(const ActiveSet& active, std::size_t place) {
   const Index i = active.agents()[place];
   const ActiveChunk& chunk = active.chunkOf(place);
@@ -107,10 +104,16 @@ void ForceCache::store(const ActiveSet& active, std::size_t place) {
 }
 
 void ForceCache::updateNeighbours(ActiveSet& active, std::span<const Index> moved) {
+  // By the former list, as in refresh()
+  for (const Index i : moved) {
+    const std::size_t place = active.placeOf(i);
+    markAround(i, active.chunkOf(place).path[ActiveSet::inChunk(place)]);
+  }
   const NeighbourList::Change change = neighbours_.update(agents_, moved);
-  applyChange(change);
-  if (change.all)
+  if (change.all) {
+    stale_.markAll();
     for (ActiveChunk& chunk : active.chunks()) chunk.pairsCurrent = false;
+  }
   for (const Index i : change.agents)
     if (active.contains(i)) active.chunkOf(active.placeOf(i)).pairsCurrent = false;
 }

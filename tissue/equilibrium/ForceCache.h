@@ -78,7 +78,6 @@ class ForceCache {
  private:
   void requireSound() const;
   void refreshAll();
-  void applyChange(const NeighbourList::Change& change);
   /// Sets the forces on the first agents of a chunk by their loads.
   void setForces(ActiveChunk& chunk, std::span<const AgentLoad> loads) const;
   /// Lets chunkOf(begin, agents) return the chunk of each chunkSize of the agents, and sets the forces in it.
