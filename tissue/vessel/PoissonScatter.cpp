@@ -20,7 +20,8 @@ PoissonScatter::PoissonScatter(std::uint64_t seed, double length, double outerRa
 Vec3 PoissonScatter::draw(RandomStream& stream, const Region& region) const {
   const auto& [inner, outer] = region;
   const double least = inner.least() * inner.least(), greatest = outer.greatest() * outer.greatest();
-  // Steeper than this no wall is that can be packed; where one is, it gets too few agents by so much.
+  // Bound of the area element over the radius; no wall that can be packed is steeper. Steeper parts would get
+  // too few agents.
   constexpr double steepest = 2;
   for (;;) {
     const double fromAxis = std::sqrt(least + (greatest - least) * stream.uniform());
@@ -46,7 +47,7 @@ void PoissonScatter::tryNext(Seeker& seeker, const Region& region) const {
 }
 
 bool PoissonScatter::seek(Seeker& seeker, const Region& region, const AgentStore& agents) const {
-  // Most that are in the way are so near that their radii need not be read.
+  // Most blocking agents are so near that their radii need not be read.
   const double least = share_ * (seeker.radius + smallest_);
   do {
     tryNext(seeker, region);
@@ -79,21 +80,21 @@ void PoissonScatter::add(AgentStore& agents, AgentKind kind, Index count, const 
   for (const Index end = agents.size() + count; agents.size() < end;) {
     if (meanwhile_) meanwhile_();
     const AgentId first = agents.nextId;
-    const std::size_t looking = std::min(turn, end - agents.size());
-    seekers.assign(looking, {});
-    found.assign(looking, 0);
+    const std::size_t batch = std::min(batchSize, end - agents.size());
+    seekers.assign(batch, {});
+    found.assign(batch, 0);
     placed.clear();
-    const auto look = [&](std::size_t from, std::size_t to) {
+    const auto seekPlaces = [&](std::size_t from, std::size_t to) {
       for (std::size_t n = from; n < to; ++n) {
         const AgentId id = first + n;
         seekers[n].emplace(RandomStream(seed_, id, 0, RandomPurpose::packing), radiusOf(id));
         found[n] = seek(*seekers[n], region, agents);
       }
     };
-    forEachPiece(looking, look, parallelFromSeekers, seekersOfPiece);
-    // Once the share is lower, those after may find places among what they tried already: in a new turn.
+    forEachPiece(batch, seekPlaces, parallelFromSeekers, seekersPerChunk);
+    // A lower share frees places that the later seekers have tried already: they begin again in a new batch.
     const double share = share_;
-    for (std::size_t n = 0; n < looking && share_ == share; ++n) {
+    for (std::size_t n = 0; n < batch && share_ == share; ++n) {
       Seeker& seeker = *seekers[n];
       bool isFree = found[n] && isFreeOf(placed, seeker, agents);
       while (!isFree) {

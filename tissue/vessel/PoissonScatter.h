@@ -16,22 +16,21 @@ namespace restenosis {
 /// a share of the sum of their radii. The share starts high and is lowered a little whenever an agent finds
 /// no place, so it always ends. Every place is a function of (seed, agent id).
 ///
-/// Those next in turn look for places at once, each on its own among all who have theirs; then one after
-/// another takes what it found, or goes on looking where one of the turn was first. Places are those that
-/// agents on their own would find.
+/// The agents of a batch seek places in parallel, each among the agents already placed. They are then placed
+/// in order; one that an earlier agent of its batch blocks seeks on. The places are those of a serial run.
 class PoissonScatter {
  public:
   /// Agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `smallest` and `largest`
   /// bound the radii.
   PoissonScatter(std::uint64_t seed, double length, double outerRadius, double smallest, double largest);
 
-  /// The radius of the agent of this name [m]; asked from several threads.
+  /// Radius of the agent with this id [m]; called from several threads.
   using RadiusOf = std::function<double(AgentId)>;
-  /// Appends `count` agents of `kind` with their centres between the two surfaces, or on the surface that
-  /// both are, beginning at the full share.
+  /// Appends `count` agents of `kind` with their centres between the two surfaces, or on the surface if both
+  /// are the same, beginning at the full share.
   void add(AgentStore& agents, AgentKind kind, Index count, const RadiusOf& radiusOf,
            const SurfaceFromAxis& inner, const SurfaceFromAxis& outer);
-  /// What to call before every turn; it may throw to give up.
+  /// Callback before every batch; it may throw to cancel.
   void callMeanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
 
  private:
@@ -40,20 +39,20 @@ class PoissonScatter {
   // start of the relaxation.
   static constexpr double initialShare = 0.82;
   static constexpr int triesBeforeLowering = 200;
-  // So many look at once, so many by one thread at a time. Speed only.
-  static constexpr Index turn = 256;
-  static constexpr std::ptrdiff_t seekersOfPiece = 16, parallelFromSeekers = 64;
+  // Speed only.
+  static constexpr Index batchSize = 256;
+  static constexpr std::ptrdiff_t seekersPerChunk = 16, parallelFromSeekers = 64;
 
   struct Region {
     const SurfaceFromAxis &inner, &outer;
   };
-  /// An agent that looks for its place.
+  /// An agent that seeks its place.
   struct Seeker {
     RandomStream stream;
     double radius;
     int tries = 0;
     Vec3 place = Vec3::Zero();       ///< the last that was tried
-    std::array<Vec3, 8> ahead = {};  ///< to be tried, drawn ahead: each waits for memory, these together
+    std::array<Vec3, 8> ahead = {};  ///< next places, drawn together to overlap their memory accesses
     std::size_t next = 0, drawn = 0;
   };
 
@@ -61,9 +60,9 @@ class PoissonScatter {
   Vec3 draw(RandomStream& stream, const Region& region) const;
   /// Tries the next place.
   void tryNext(Seeker& seeker, const Region& region) const;
-  /// Tries places until one is free, which it tells, or until the share is to be lowered.
+  /// Tries places until one is free (true) or the share is to be lowered (false).
   bool seek(Seeker& seeker, const Region& region, const AgentStore& agents) const;
-  /// Whether none of `others` is in the way of the place that a seeker found.
+  /// Whether none of `others` blocks the place that a seeker found.
   bool isFreeOf(std::span<const Index> others, const Seeker& seeker, const AgentStore& agents) const;
 
   std::uint64_t seed_;
