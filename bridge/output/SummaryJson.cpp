@@ -45,7 +45,7 @@ Json packing(const Summary& summary) {
 Json deployment(const Summary& summary) {
   if (!summary.deployment) return nullptr;
   const DeploymentStatistics& wall = *summary.deployment;
-  return {{"freeAgentsInTheWayOfStruts", wall.freeInTheWay},
+  return {{"freeAgentsInTheWayOfStruts", wall.freeInPath},
           {"agentsLumenwardOfStruts", wall.escaped},
           {"freeAgentsLumenwardOfStruts", wall.escapedFree},
           {"freeAgentsPassedByStruts", wall.passedFree},

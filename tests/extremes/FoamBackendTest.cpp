@@ -9,6 +9,7 @@
 #include "bridge/flow/foam/FoamRun.h"
 #include "bridge/flow/foam/FoamTemplate.h"
 #include "bridge/flow/foam/LumenStl.h"
+#include "tests/support/ExpectSays.h"
 #include "tests/support/FlowSupport.h"
 #include "tests/support/OpenFoamPresent.h"
 #include "tests/support/TemporaryFolder.h"
@@ -33,8 +34,6 @@ std::string failure(const TriSurface& lumen, const fs::path& folder, FoamSetting
   }
   return "";
 }
-
-#define EXPECT_SAYS(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)
 
 /// The PATH for the length of a test.
 class PathOnly {

@@ -10,6 +10,7 @@
 #include "bridge/flow/foam/FoamBackend.h"
 #include "bridge/system/AtomicFile.h"
 #include "tests/support/EnvironmentVariable.h"
+#include "tests/support/ExpectSays.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/FlowSupport.h"
 #include "tests/support/OpenFoamPresent.h"
@@ -21,8 +22,6 @@ namespace {
 
 using namespace support;
 namespace fs = std::filesystem;
-
-#define EXPECT_SAYS(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)
 
 struct Failure {
   std::string message;  ///< empty where the flow did not fail

@@ -7,9 +7,9 @@
 namespace restenosis {
 namespace {
 
-DeploymentStatistics escaped(Index inTheWay, Index free, Index held, bool passed = true) {
+DeploymentStatistics escaped(Index inPath, Index free, Index held, bool passed = true) {
   DeploymentStatistics wall;
-  wall.freeInTheWay = inTheWay;
+  wall.freeInPath = inPath;
   wall.escaped = free + held;
   wall.escapedFree = free;
   wall.passedFree = passed ? free : 0;
@@ -21,11 +21,11 @@ bool contains(const std::string& text, const char* part) { return text.find(part
 TEST(EscapedAgents, AreRemarkedWithWhatKeepsThemBehindTheStruts) {
   EXPECT_EQ(remarkOnEscaped(escaped(100, 0, 0), 1), "");
   const std::string free = remarkOnEscaped(escaped(100, 3, 0), 7);
-  EXPECT_TRUE(contains(free, "after deployment 3 of the agents in the way of struts are"));
+  EXPECT_TRUE(contains(free, "after deployment 3 of the agents in the path of struts are"));
   EXPECT_TRUE(contains(free, "3 free, of which struts have passed 3, raise stent.deploymentSteps (now 7)"));
   EXPECT_FALSE(contains(free, "vessel.fixedEnds"));
   const std::string held = remarkOnEscaped(escaped(100, 0, 1), 7);
-  EXPECT_TRUE(contains(held, "1 of the agents in the way of struts is")) << held;
+  EXPECT_TRUE(contains(held, "1 of the agents in the path of struts is")) << held;
   EXPECT_TRUE(contains(held, "lower vessel.fixedEnds"));
   EXPECT_FALSE(contains(held, "deploymentSteps"));
 }
@@ -41,7 +41,7 @@ TEST(EscapedAgents, OnlyPressedAgainstStrutsAreNoMatterOfSteps) {
 TEST(EscapedAgents, OfMoreThanATenthStopTheRun) {
   EXPECT_NO_THROW(requireWallOutsideStruts(escaped(0, 0, 0), 1));
   EXPECT_NO_THROW(requireWallOutsideStruts(escaped(100, 10, 0), 1));
-  EXPECT_NO_THROW(requireWallOutsideStruts(escaped(100, 0, 90), 1)) << "these cannot yield";
+  EXPECT_NO_THROW(requireWallOutsideStruts(escaped(100, 0, 90), 1)) << "these cannot move";
   try {
     requireWallOutsideStruts(escaped(100, 11, 5), 3);
     FAIL();
@@ -71,7 +71,7 @@ TEST(EscapedAgents, AreCountedFreeOrFixed) {
   wall.agents.append(AgentKind::smc, Vec3(outerFace, 0, 0), vessel.cellRadius);  // beside the strut
   wall.bonds.resize(wall.agents.size());
   const DeploymentStatistics result = measureDeployment(wall, stent);
-  EXPECT_EQ(result.freeInTheWay, 4u);
+  EXPECT_EQ(result.freeInPath, 4u);
   EXPECT_EQ(result.escaped, 3u);
   EXPECT_EQ(result.escapedFree, 2u);
   EXPECT_EQ(result.passedFree, 1u);

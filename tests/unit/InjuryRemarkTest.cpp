@@ -26,7 +26,7 @@ TEST(InjuryRemark, SaysWhatAnInjuryWithoutEffectLacked) {
   EXPECT_TRUE(contains(remarkOnInjury(injury, byStress), "nor is its stress past injury.stressLimit"));
   injury.stretched = 3;
   EXPECT_TRUE(
-      contains(remarkOnInjury(injury, parameters), "of 3 stretched agents of the IEL chance took none"));
+      contains(remarkOnInjury(injury, parameters), "of 3 stretched agents of the IEL none was fenestrated"));
   injury.synthetic = 1;
   EXPECT_EQ(remarkOnInjury(injury, parameters), "");
 }

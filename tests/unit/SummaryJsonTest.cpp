@@ -25,7 +25,7 @@ Summary example() {
   summary.packing->counts.smc = 60000;
   summary.packing->ielDrift = -0.012e-6;
   summary.deployment.emplace();
-  summary.deployment->freeInTheWay = 40;
+  summary.deployment->freeInPath = 40;
   summary.deployment->escaped = 3;
   summary.deployment->escapedFree = 1;
   summary.deployment->laminaDistance = 95e-6;

@@ -13,7 +13,7 @@ namespace restenosis {
 ///
 /// A rule that reads wall shear stress, itself or through nitric oxide, says so here and nowhere else: when
 /// the flow must be solved follows from these answers (ArrestRules). By default such a rule reads the stress
-/// of every cell, and any change of it may turn the answer; a rule that knows better saves solves.
+/// of every cell, and any change of it may change the answer; a rule that overrides this saves solves.
 class ArrestRule {
  public:
   virtual ~ArrestRule() = default;
@@ -28,10 +28,10 @@ class ArrestRule {
   /// Why wall shear stress enters no answer until `time` [s after deployment], or empty.
   virtual std::string readsNoWssUntil(double /*time*/) const { return {}; }
 
-  /// When wall shear stress enters the answer for some cell, for people.
+  /// When wall shear stress enters the answer for some cell, for messages.
   virtual std::string whenWssIsRead() const { return "from the start, when a cell could still cycle"; }
-  /// Reasons for not solving the flow: that the rule reads the stress of no cell, and that it does of some,
-  /// each of which rests or divides by other rules.
+  /// Reasons for not solving the flow: the rule reads the stress of no cell; it reads that of some cells, all
+  /// of which rest or divide by other rules.
   virtual std::string_view whenNoCellReads() const { return "no cell reads its wall shear stress"; }
   virtual std::string_view whenAllAreDecided() const {
     return "every cell rests or divides whatever its wall shear stress";

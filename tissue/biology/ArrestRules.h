@@ -16,7 +16,7 @@ namespace restenosis {
 /// Makes a rule; null where the settings do not ask for it.
 using MakeArrestRule = std::unique_ptr<const ArrestRule> (*)(const BiologySettings&);
 
-/// The rules there are. To add one: write its file and a row of the table in ArrestRules.cpp.
+/// All rules. To add one, write its file and an entry of the table in ArrestRules.cpp.
 std::span<const MakeArrestRule> arrestRuleTable();
 
 /// The rules by which the cells of a scene rest: the cell cycle asks whether a cell rests, the schedule of
@@ -34,16 +34,16 @@ class ArrestRules {
   bool readWss() const;
   /// Why no rule does until `time` [s after deployment], or empty.
   std::string readNoWssUntil(double time) const;
-  /// When the rules that read wall shear stress do so, for people; empty where none does.
+  /// When the rules that read wall shear stress do so, for messages; empty where none does.
   std::string whenWssIsRead() const;
-  /// Why wall shear stress can change the state of no cell now, or empty where it can of one.
+  /// Why wall shear stress can change the state of no cell now; empty where it can change one.
   std::string_view wssChangesNothingBecause(const AgentStore& agents) const;
-  /// Whether wall shear stress can change the state of this cell: of a free smooth muscle cell before S, that
-  /// some rule reads the stress of, and that the rules which do not read it leave free.
+  /// Whether wall shear stress can change the state of this cell: it is a free smooth muscle cell before S,
+  /// some rule reads its stress, and none of the others arrests it.
   bool wssMayChange(const AgentStore& agents, Index cell) const;
-  /// The cells whose state a small change of wall shear stress may turn: of those that it may change, the
-  /// ones with less than `margin` times the WSS that decides (ArrestRule::decidingWss). A cell with more
-  /// stays arrested.
+  /// Cells for which a small change of wall shear stress may change the state: those of wssMayChange() with
+  /// less than `margin` times the WSS that decides (ArrestRule::decidingWss). A cell with more stays
+  /// arrested.
   std::vector<Index> undecidedCells(const AgentStore& agents, double margin) const;
 
  private:

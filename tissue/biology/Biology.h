@@ -18,8 +18,8 @@ namespace restenosis {
 
 /// The biological rules of a scene (model 5 to 7), in the parts that a step calls in the order of model 9:
 /// updateEndothelium, updateNitricOxide, updateInhibition, advanceCycle. Endothelium settles on cells that
-/// the last updateInhibition found exposed, so that is called once before the first step. Each part reads the
-/// state that the earlier ones left and cannot be changed by the order of agents or by threads.
+/// the last updateInhibition found exposed, so call that once before the first step. Each part reads the
+/// state that the earlier ones left; its result does not depend on the order of agents or on threads.
 class Biology {
  public:
   /// Throws std::invalid_argument for an unknown law or scenario and for nitric oxide that falls with WSS.
@@ -31,13 +31,13 @@ class Biology {
 
   /// Sets the flags `inhibited` and `exposed`.
   InhibitionReport updateInhibition(AgentStore& agents) { return inhibition_.evaluate(agents); }
-  /// To be told where agents have changed places: to place k came the one of order[k]. Speed only.
+  /// Call after agents were reordered: place k has the agent of former index order[k]. Speed only.
   void reorder(std::span<const Index> order) { inhibition_.reorder(order); }
   /// Sets the flag `covered` for `time` [s] since the end of deployment.
   CoverageReport updateEndothelium(AgentStore& agents, double time) const;
   /// Sets nitric oxide from the WSS that agents hold.
   void updateNitricOxide(AgentStore& agents) const;
-  /// Takes the cells through the step that begins at `time` [s] (by default long after deployment) and
+  /// Advances the cells by the step that begins at `time` [s] (by default long after deployment) and
   /// divides those that are due; `bonds` grows with the agents.
   CycleReport advanceCycle(AgentStore& agents, BondTable& bonds,
                            double time = std::numeric_limits<double>::infinity()) const;

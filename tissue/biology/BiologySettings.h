@@ -9,9 +9,9 @@
 
 namespace restenosis {
 
-/// What a scene says of biology. A section that is absent is not modelled: without the cycle nothing divides,
-/// without contact inhibition nothing is inhibited, without endothelium there is no coverage and no nitric
-/// oxide.
+/// The sections of a scene on biology. A section that is absent is not modelled: without the cycle nothing
+/// divides, without contact inhibition nothing is inhibited, without endothelium there is no coverage and no
+/// nitric oxide.
 struct BiologySettings {
   std::optional<CellCycleParameters> cellCycle;
   std::optional<ContactInhibitionParameters> contactInhibition;

@@ -12,8 +12,8 @@ namespace {
 
 const double doubledRadius = std::cbrt(2.0);
 
-/// Of a phase and a step: time that is lacking by less than this lacks by rounding, for clocks are sums of
-/// steps. A phase that is a whole number of steps must not take one more for it.
+/// Relative to a phase and a step: a phase that lacks less has ended, for clocks are rounded sums of steps. A
+/// phase of a whole number of steps must not last one more.
 constexpr double rounding = 1e-9;
 
 }  // namespace
@@ -49,7 +49,7 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRul
   }
   if (agents.state[i] == CycleState::g0) {
     if (time < p_.recruitment && agents.generation[i] == 0) {
-      // From then to the end of the step. One rounding, whether or not the compiler inlines the draw.
+      // From recruitment to the end of the step. fma: one rounding, whether or not the draw is inlined.
       const double since = std::fma(-drawShareOfRecruitment(agents.id[i]), p_.recruitment, time + step_);
       left = std::min(left, since);
       if (left <= 0) return passed;
@@ -87,11 +87,11 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRul
 
 std::vector<Index> CellCycle::advance(AgentStore& agents, const ArrestRules& rules, CycleReport& report,
                                       double time) const {
-  // Each cell reads and writes itself only, so the order in which cells are taken cannot matter.
+  // Each cell reads and writes itself only, so the order of cells does not matter.
   std::vector<std::uint8_t> passed(agents.size(), 0);
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const auto i = static_cast<Index>(k);
-    if (!takes(agents, i)) return;
+    if (!cycles(agents, i)) return;
     const double radius = agents.radius[i];
     passed[i] = advanceCell(agents, i, rules, time);
     if (agents.radius[i] != radius) passed[i] |= static_cast<std::uint8_t>(Passage::grew);

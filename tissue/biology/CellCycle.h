@@ -16,43 +16,43 @@ struct CycleReport {
   Index arrested = 0;     ///< sent back to rest from G1
   Index enteredSg2m = 0;  ///< finished growing
   Index divisions = 0;
-  bool anyGrew = false;  ///< whether a radius is another than before
+  bool anyGrew = false;  ///< whether any radius changed
 };
 
 /// The cell cycle of the free SMC (model 5): G0 -> G1 (growth) -> S/G2/M -> division.
 ///
 /// At the checkpoint G0 -> G1 and in G1 a cell rests while a rule arrests it (ArrestRules); a cell sent back
-/// to G0 keeps its radius and length of G1, its clock starts again. From S on no rule applies. In G1 the
+/// to G0 keeps its radius and length of G1, and its clock restarts. From S on no rule applies. In G1 the
 /// radius grows as r <- r 2^(dt / (3 T)), T the cell's length of G1, up to twice the volume at birth, and is
 /// exactly that at its end. Agents flagged `fixed` hold the ends of the vessel and do not cycle.
 ///
-/// Recruitment: injury does not wake all cells in the same hour. A cell that never divided may leave G0 only
-/// after a moment of its own within `recruitment`; without it (0, the model as published) all go through
-/// their first cycle together, and the tissue grows in stairs until the spread of G1 has blurred them.
+/// Recruitment: injury does not activate all cells in the same hour. A cell that never divided may leave G0
+/// only after a random time within `recruitment`; without it (0, the model as published) all go through their
+/// first cycle together, and the tissue grows in steps until the spread of G1 has desynchronised them.
 ///
-/// Phases need not be multiples of the step: what a step leaves over after a phase goes to the next one,
-/// after a division to mother and daughter, who keep it on their clocks in G0 and spend it when the next
-/// checkpoint lets them pass (one that holds them back takes it). A cell divides at most once a step; a cycle
-/// shorter than the step therefore runs once a step, and no more than one step is ever left over. A phase
-/// that lacks less than 1e-9 of its length and of a step has ended: what lacks is rounding.
+/// Phases need not be multiples of the step: the rest of a step after a phase goes to the next phase, after a
+/// division to mother and daughter. They keep it on their clocks in G0 until the checkpoint lets them pass; a
+/// checkpoint that arrests them clears it. A cell divides at most once a step; a cycle shorter than the step
+/// therefore runs once a step, and the rest is never more than one step. A phase that lacks less than 1e-9 of
+/// its length and of a step has ended: that is rounding.
 class CellCycle {
  public:
   /// `step` [s] is the biological step.
   CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step);
 
-  /// Takes every cell through the step that begins at `time` [s] after deployment; only recruitment reads the
-  /// time, and by default it is over. Returns the cells that are to divide, in ascending order of their
-  /// ids, their clocks holding what the step left over; the caller divides them (Division).
+  /// Advances every cell by the step that begins at `time` [s] after deployment; only recruitment reads the
+  /// time, and by default it is over. Returns the cells that are to divide, in ascending order of their ids,
+  /// with the rest of the step on their clocks; the caller divides them (Division).
   std::vector<Index> advance(AgentStore& agents, const ArrestRules& rules, CycleReport& report,
                              double time = std::numeric_limits<double>::infinity()) const;
 
-  /// Whether the cycle takes this agent through its phases: a smooth muscle cell that is free to move.
-  static bool takes(const AgentStore& agents, Index i) {
+  /// Whether the agent goes through the cycle: a smooth muscle cell that is free to move.
+  static bool cycles(const AgentStore& agents, Index i) {
     return agents.kind[i] == AgentKind::smc && !agents.has(i, fixed);
   }
-  /// Of these, whether it is where rules apply: before S.
+  /// Whether it does and is before S, where rules apply.
   static bool obeysRules(const AgentStore& agents, Index i) {
-    return takes(agents, i) && agents.state[i] != CycleState::sg2m;
+    return cycles(agents, i) && agents.state[i] != CycleState::sg2m;
   }
 
   /// Length of G1 [s]: normal, truncated at three standard deviations and at zero, drawn by (seed, id,

@@ -9,7 +9,7 @@ namespace restenosis {
 
 namespace {
 
-// Where cells are looked for first, in R1 + R2. Speed only.
+// Range of the first search for neighbours, in R1 + R2. Speed only.
 constexpr double nearRange = 1.5;
 
 /// Marks of the reference configuration.
@@ -45,7 +45,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
     std::vector<std::uint8_t> due(agents.size(), 0);
     for (const Index i : fresh) due[i] = 1;
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
-    const auto judgeAround = [&](const MirroredNeighbours& those, double range) {
+    const auto markAround = [&](const MirroredNeighbours& those, double range) {
       forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const auto [centre, radius] = places[k];
@@ -55,17 +55,17 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
         }
       });
     };
-    judgeAround(neighbours, startsNear_ ? nearRange : range_);
+    markAround(neighbours, startsNear_ ? nearRange : range_);
     if (startsNear_) {
-      // Few: most are covered by those near them, whatever is farther away
+      // Few: near neighbours alone cover most cells
       const auto uncovered = agentsThat(
           agents.size(), [&](Index i) { return (marks[i] & (usesFlags | coveredByNear)) == usesFlags; });
-      judgeAround(MirroredNeighbours(reference_.shapes(), uncovered, range_, vesselLength_), range_);
+      markAround(MirroredNeighbours(reference_.shapes(), uncovered, range_, vesselLength_), range_);
     }
     cells = agentsThat(agents.size(), [&](Index i) { return due[i] && couldUse(agents, i); });
     forEachHeavyPiece(cells.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<ContactNeighbour> scratch;
-      for (std::size_t k = begin; k < end; ++k) marks[cells[k]] = judge(neighbours, cells[k], scratch);
+      for (std::size_t k = begin; k < end; ++k) marks[cells[k]] = marksOf(neighbours, cells[k], scratch);
     });
   }
   report.evaluated = static_cast<Index>(cells.size());
@@ -78,19 +78,19 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
   return report;
 }
 
-std::uint8_t ContactInhibition::judge(const MirroredNeighbours& neighbours, Index cell,
-                                      std::vector<ContactNeighbour>& scratch) const {
+std::uint8_t ContactInhibition::marksOf(const MirroredNeighbours& neighbours, Index cell,
+                                        std::vector<ContactNeighbour>& scratch) const {
   const double radius = reference_.shapes().radius[cell];
-  const auto judgeWithin = [&](double range) -> Surroundings {
+  const auto surroundingsWithin = [&](double range) -> Surroundings {
     neighbours.gather(cell, range, scratch);
     return {radius, measure_.exposed(radius, scratch), scratch};
   };
-  Surroundings surroundings = judgeWithin(startsNear_ ? nearRange : range_);
+  Surroundings surroundings = surroundingsWithin(startsNear_ ? nearRange : range_);
   std::uint8_t mark = usesFlags;
   if (startsNear_ && !surroundings.exposed) {
     mark |= coveredByNear;
   } else if (startsNear_) {
-    surroundings = judgeWithin(range_);
+    surroundings = surroundingsWithin(range_);
   }
   if (surroundings.exposed) mark |= isExposed;
   if (law_ && law_->inhibits(surroundings)) mark |= isInhibited;

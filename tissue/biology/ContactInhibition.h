@@ -13,10 +13,10 @@
 
 namespace restenosis {
 
-/// What an evaluation of contact inhibition took.
+/// Work of an evaluation of contact inhibition.
 struct InhibitionReport {
   Index disturbances = 0;  ///< places where agents moved, grew, appeared or went
-  Index evaluated = 0;     ///< cells judged anew
+  Index evaluated = 0;     ///< cells evaluated
 };
 
 /// Sets the flags `inhibited` (by the law) and `exposed` (by the exposure measure) of every cell that could
@@ -24,11 +24,11 @@ struct InhibitionReport {
 ///
 /// The flags are always those of a full evaluation of a reference configuration, in which every agent is
 /// where it was when it last moved or grew by more than `changeTolerance` of its radius; only cells near a
-/// change of it are judged anew. So the work follows the motion, nothing is sticky, and what is judged when
-/// cannot change an answer. The reference configuration is part of a checkpoint (archive()).
+/// change of it are evaluated again. So the work follows the motion, and the flags depend on the reference
+/// configuration alone, which is part of a checkpoint (archive()).
 ///
-/// The wall goes on beyond the ends of the vessel: near z = 0 and z = `vesselLength` a cell has the mirror
-/// images of the agents around it for neighbours, and its own where that does not overlap it.
+/// The wall continues beyond the ends of the vessel: near z = 0 and z = `vesselLength` a cell's neighbours
+/// include the mirror images of the agents around it, and its own image where that does not overlap it.
 class ContactInhibition {
  public:
   /// `law` empty: no cell is inhibited, exposure is measured all the same. `vesselLength` [m]; 0: no ends.
@@ -46,14 +46,15 @@ class ContactInhibition {
   }
 
  private:
-  std::uint8_t judge(const MirroredNeighbours& neighbours, Index cell,
-                     std::vector<ContactNeighbour>& scratch) const;
+  /// The cell's marks in the reference configuration.
+  std::uint8_t marksOf(const MirroredNeighbours& neighbours, Index cell,
+                       std::vector<ContactNeighbour>& scratch) const;
 
   ExposureMeasure measure_;
   std::unique_ptr<const ContactInhibitionLaw> law_;
   double range_;
-  /// Whether a cell that its near neighbours cover is looked at no farther: most are covered by those they
-  /// touch, and more neighbours can only cover more.
+  /// Whether near neighbours are searched first: most cells are covered by those they touch, and more
+  /// neighbours can only cover more.
   bool startsNear_;
   double tolerance_;
   double vesselLength_;

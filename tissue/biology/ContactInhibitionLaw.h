@@ -10,7 +10,7 @@
 
 namespace restenosis {
 
-/// What a law may know of a cell.
+/// What a law reads of a cell.
 struct Surroundings {
   double radius;  ///< of the cell itself [m]
   bool exposed;   ///< by the exposure measure, with the scene's threshold
@@ -23,14 +23,14 @@ struct Surroundings {
 class ContactInhibitionLaw {
  public:
   virtual ~ContactInhibitionLaw() = default;
-  /// Neighbours farther than this times R1 + R2 cannot matter but by Surroundings::exposed.
+  /// Neighbours farther than this times R1 + R2 matter through Surroundings::exposed only.
   virtual double range() const = 0;
   virtual bool inhibits(const Surroundings& surroundings) const = 0;
 };
 
-/// The laws a scene may name. To add one: write its file and a row of the table in ContactInhibitionLaw.cpp.
+/// All laws. To add one, write its file and an entry of the table in ContactInhibitionLaw.cpp.
 std::vector<std::string_view> contactInhibitionLawNames();
-/// The law that `parameters.law` names; throws std::invalid_argument naming the laws there are.
+/// The law called `parameters.law`. Throws std::invalid_argument, with the known names, for an unknown one.
 std::unique_ptr<const ContactInhibitionLaw> makeContactInhibitionLaw(
     const ContactInhibitionParameters& parameters);
 

@@ -40,8 +40,8 @@ void ContactInhibitionParameters::describe(ParameterVisitor& p) {
                                .minimum = 0,
                                .maximum = 1,
                                .source = "assumed",
-                               .description = "cells are judged anew when an agent near them has moved or "
-                                              "grown by more than this times its radius"});
+                               .description = "cells are evaluated again when an agent near them has moved "
+                                              "or grown by more than this times its radius"});
   p.quantity(countRange, {.key = "countRange",
                           .minimum = 1,
                           .maximum = 5,

@@ -18,8 +18,8 @@ struct ContactInhibitionParameters {
   double cellCover = 1.25;     ///< a cell covers the cone of this times its radius
   double laminaCover = 1.9;    ///< a lamina agent covers the cone of this times its radius
   std::int64_t directions = 60;
-  double changeTolerance =
-      0.02;                 ///< of its radius an agent may move or grow before cells near it are judged anew
+  /// Share of its radius that an agent may move or grow before cells near it are evaluated again.
+  double changeTolerance = 0.02;
   double countRange = 2.0;  ///< neighbourCount: neighbours within this times R1 + R2 count
   double countThreshold = 26;
   double smcWeight = 1, ielWeight = 1, eelWeight = 1, strutWeight = 0.1;

@@ -8,32 +8,32 @@
 
 namespace restenosis {
 
-/// What a draw of coverage found and did.
+/// Numbers of cells in a draw of coverage.
 struct CoverageReport {
-  Index exposed = 0;       ///< cells that the lumen reaches and endothelium may settle on
+  Index exposed = 0;       ///< cells beside the lumen on which endothelium may settle
   Index covered = 0;       ///< of these, how many carry endothelium after the draw
   Index newlyCovered = 0;  ///< of these, how many are new
 };
 
 /// Return of the endothelium over the exposed synthetic cells, seeded at random places (model 7).
 ///
-/// Every agent holds one uniform number u, drawn by (seed, id). With n exposed cells and k of them covered, a
+/// Every agent has one uniform number u, drawn by (seed, id). With n exposed cells and k of them covered, a
 /// draw at time t covers the round(c(t) n) - k bare ones of smallest u, and none if k is that many already.
 /// So:
 /// - as long as cells neither divide nor move, a cell is covered once u is below c(t), to within one sampling
-/// error,
-///   and the cells covered earlier stay among those covered later;
-/// - coverage is never lost, and daughters have their mother's. Covered cells that divide therefore raise the
-///   coverage above c(t), bare ones that divide lower it; an independent draw u < c(t) for each cell would
-///   keep that bias. Counting the cells covered already removes it: coverage is c(t) to within half a cell
-///   whenever inheritance has not carried it above, and then it waits until c(t) has caught up;
-/// - a daughter that comes to lie exposed and bare takes part in the next draw, and at c = 1 no exposed cell
-/// is bare. The outcome depends on ids and flags only, not on the order of agents or threads, and needs no
-/// state of its own.
+///   error, and the cells covered earlier stay among those covered later;
+/// - coverage is never lost, and daughters inherit it. Covered cells that divide therefore raise the coverage
+///   above c(t), bare ones that divide lower it; an independent draw u < c(t) for each cell would keep that
+///   bias. Counting the cells covered already removes it: coverage is c(t) to within half a cell, or, where
+///   inheritance has raised it above, constant until c(t) has reached it;
+/// - a daughter that becomes exposed and is bare is part of the next draw, and at c = 1 no exposed cell is
+///   bare.
+/// The result depends on ids and flags only, not on the order of agents or threads, and needs no state of its
+/// own.
 class Endothelium {
  public:
-  /// Not denuded: covered from the start, whatever the scenario. Throws std::invalid_argument for an unknown
-  /// one.
+  /// Where not `denuded`, cells are covered from the start in every scenario. Throws std::invalid_argument
+  /// for an unknown scenario.
   Endothelium(const EndotheliumParameters& parameters, std::uint64_t seed, bool denuded);
 
   /// Coverage c(t) to reach at `time` [s].

@@ -19,10 +19,10 @@ struct EndotheliumScenario {
   double coverage(double time) const;
 };
 
-/// Every scenario a scene may name.
+/// All scenarios.
 std::span<const EndotheliumScenario> endotheliumScenarios();
 std::vector<std::string_view> endotheliumScenarioNames();
-/// Throws std::invalid_argument naming the scenarios there are.
+/// Throws std::invalid_argument, with the known names, for an unknown one.
 const EndotheliumScenario& endotheliumScenario(std::string_view name);
 
 }  // namespace restenosis

@@ -5,7 +5,7 @@
 namespace restenosis {
 
 /// A cell is inhibited unless it is exposed: unless more than `exposureThreshold` of the directions around it
-/// are free of neighbours (ExposureMeasure). Assumed; unlike a count it tells a bare surface from the
+/// are free of neighbours (ExposureMeasure). Assumed; unlike a count it distinguishes a bare surface from the
 /// interior in a compressed wall as well as in one at rest.
 class ExposureLaw : public ContactInhibitionLaw {
  public:

@@ -8,16 +8,15 @@
 
 namespace restenosis {
 
-/// How much of a cell lies open: the share of directions around its centre that no neighbour covers (model
-/// 6).
+/// The share of directions around a cell's centre that no neighbour covers (model 6).
 ///
 /// A neighbour of radius R at distance D <= `exposureRange` (R1 + R2) covers the directions within the angle
 /// asin(k R / D) of its own: the shadow of a sphere of k times its radius, k = `cellCover`. Laminae are
-/// sheets: they hide what lies behind them, not what lies beside them. Seen at an angle t to its normal (the
+/// sheets: they cover what lies behind them, not what lies beside them. Seen at an angle t to its normal (the
 /// vessel's radius), a lamina agent has k = cellCover + (laminaCover - cellCover) cos^2 t, so that a gap in
-/// the sheet is open to the lumen although the sheet goes on around it. Where k R reaches D the shadow is the
-/// half space, so that overlap never covers what lies on the far side. A neighbour at the very centre has no
-/// direction and covers none. Directions are the `directions` points of a Fibonacci lattice on the sphere,
+/// the sheet is open to the lumen although the sheet continues around it. Where k R reaches D the shadow is
+/// the half space, so that overlap never covers what lies on the far side. A neighbour at the very centre has
+/// no direction and covers none. Directions are the `directions` points of a Fibonacci lattice on the sphere,
 /// each standing for the same solid angle.
 class ExposureMeasure {
  public:
@@ -26,7 +25,7 @@ class ExposureMeasure {
   double range() const { return range_; }
   /// Share of free directions, 0 to 1.
   double share(double radius, std::span<const ContactNeighbour> neighbours) const;
-  /// Whether the share exceeds the threshold; the same answer as from share(), sooner.
+  /// Whether the share exceeds the threshold; as share(), but faster.
   bool exposed(double radius, std::span<const ContactNeighbour> neighbours) const;
 
  private:

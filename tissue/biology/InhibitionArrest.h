@@ -7,7 +7,7 @@
 
 namespace restenosis {
 
-/// A cell that ContactInhibition found inhibited rests (model 6). Without contact inhibition there is none.
+/// A cell that ContactInhibition has flagged `inhibited` rests (model 6).
 class InhibitionArrest : public ArrestRule {
  public:
   static std::unique_ptr<const ArrestRule> make(const BiologySettings&) {

@@ -5,7 +5,7 @@
 namespace restenosis {
 
 /// A cell is inhibited if the weighted number of neighbours within `countRange` (R1 + R2) exceeds
-/// `countThreshold` (T6, ISR3D). Thresholds belong to one packing at one compression (model 6).
+/// `countThreshold` (T6, ISR3D). A threshold holds for one packing at one compression (model 6).
 class NeighbourCountLaw : public ContactInhibitionLaw {
  public:
   static constexpr std::string_view name = "neighbourCount";

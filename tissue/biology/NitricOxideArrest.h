@@ -9,7 +9,7 @@
 
 namespace restenosis {
 
-/// A cell rests whose endothelium makes enough nitric oxide of its wall shear stress (model 7).
+/// A cell rests if its endothelium produces enough nitric oxide under its wall shear stress (model 7).
 class NitricOxideArrest : public ArrestRule {
  public:
   /// Null without endothelium.

@@ -14,11 +14,11 @@ namespace restenosis {
 
 namespace {
 
-// An agent that has moved by less than this times its radius has changed one place, not two. Speed only.
+// A move shorter than this times the radius is reported as one disturbed place, not two. Speed only.
 constexpr double shortMove = 0.5;
 
-// In an order of copies: there is none yet.
-constexpr Index isNew = std::numeric_limits<Index>::max();
+// In an order of copies: the agent has none yet.
+constexpr Index noCopy = std::numeric_limits<Index>::max();
 
 }  // namespace
 
@@ -50,11 +50,11 @@ bool ReferenceConfiguration::differs(const AgentStore& agents, Index i, double t
          !((agents.position(i) - shapes().position(i)).squaredNorm() <= allowed * allowed);
 }
 
-void ReferenceConfiguration::take(std::span<const Index> order) {
+void ReferenceConfiguration::permute(std::span<const Index> order) {
   const auto reorder = [order](auto& values) {
     std::remove_reference_t<decltype(values)> ordered(order.size());
     forEachInChunks(order.size(), [&](std::size_t k) {
-      if (order[k] != isNew) ordered[k] = values[order[k]];
+      if (order[k] != noCopy) ordered[k] = values[order[k]];
     });
     values = std::move(ordered);
   };
@@ -62,7 +62,7 @@ void ReferenceConfiguration::take(std::span<const Index> order) {
 }
 
 void ReferenceConfiguration::reorder(std::span<const Index> order) {
-  if (order.size() == size()) take(order);
+  if (order.size() == size()) permute(order);
 }
 
 std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore& agents) {
@@ -70,7 +70,7 @@ std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore
   copyOf.reserve(size());
   for (Index i = 0; i < size(); ++i) copyOf.emplace(id_[i], i);
 
-  std::vector<Index> order(agents.size(), isNew);
+  std::vector<Index> order(agents.size(), noCopy);
   for (Index i = 0; i < agents.size(); ++i) {
     const auto found = copyOf.find(agents.id[i]);
     if (found == copyOf.end()) continue;
@@ -83,7 +83,7 @@ std::vector<DisturbedPlace> ReferenceConfiguration::reorderLike(const AgentStore
   std::vector<DisturbedPlace> left;
   for (const Index i : gone) left.push_back(placeOf(i));
 
-  take(order);
+  permute(order);
   id_ = agents.id;
   return left;
 }

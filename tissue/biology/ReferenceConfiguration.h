@@ -14,10 +14,9 @@ struct DisturbedPlace {
   double radius;  ///< [m]
 };
 
-/// The agents as they were when they last moved or grew by more than a tolerance: what depends on them by way
-/// of this copy needs to be computed anew only where the copy changed. Every agent is within the tolerance of
-/// its copy, so small motions cannot add up unseen. Follows agents by id through births, removals and changes
-/// of order.
+/// A copy of the agents as they were when they last moved or grew by more than a tolerance: what is computed
+/// from it changes only where the copy does. Every agent is within the tolerance of its copy, so small
+/// motions cannot add up unnoticed. Follows agents by id through births, removals and changes of order.
 class ReferenceConfiguration {
  public:
   /// Copies the agents that are new, of another kind, or farther from their copy than `tolerance` times its
@@ -25,7 +24,7 @@ class ReferenceConfiguration {
   /// place where the copy changed, old and new ones. Afterwards index i here is agent i there.
   std::vector<DisturbedPlace> follow(const AgentStore& agents, double tolerance);
 
-  /// To place k came the agent of order[k]. follow() would find that out by their ids, which takes longer.
+  /// Place k has the agent of former index order[k]. follow() would find that by their ids, which is slower.
   void reorder(std::span<const Index> order);
 
   AgentShapes shapes() const { return {x_, y_, z_, radius_, kind_}; }
@@ -38,14 +37,14 @@ class ReferenceConfiguration {
   }
 
  private:
-  /// Puts the copy order[k] at place k, or a stand-in where that is `isNew`.
-  void take(std::span<const Index> order);
-  /// Takes on the order of `agents`; returns the places of copies whose agent is gone.
+  /// Moves copy order[k] to place k; a placeholder where that is `noCopy`.
+  void permute(std::span<const Index> order);
+  /// Adopts the order of `agents`; returns the places of copies of agents that are gone.
   std::vector<DisturbedPlace> reorderLike(const AgentStore& agents);
   bool inOrderOf(const AgentStore& agents) const;
   Index size() const { return static_cast<Index>(id_.size()); }
   DisturbedPlace placeOf(Index i) const { return {shapes().position(i), radius_[i]}; }
-  /// Appends a stand-in for an agent that is yet to be copied; a radius of none differs from every agent's.
+  /// Appends a placeholder for an agent to be copied; its radius of 0 differs from every agent's.
   void appendNew(AgentId id);
   /// Whether agent `i` is new, of another kind, or farther from its copy than it may be (follow()).
   bool differs(const AgentStore& agents, Index i, double tolerance) const;

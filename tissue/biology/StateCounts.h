@@ -4,7 +4,7 @@
 
 namespace restenosis {
 
-/// How many SMC are in each state; all but the first count among `smc`.
+/// Numbers of SMC by state; all but the first are subsets of `smc`.
 struct StateCounts {
   Index smc = 0;
   Index g0 = 0, g1 = 0, sg2m = 0;  ///< by phase of the cycle

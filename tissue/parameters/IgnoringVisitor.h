@@ -9,7 +9,7 @@
 
 namespace restenosis {
 
-/// Looks at no parameter: the base of visitors that look at one kind of them.
+/// Ignores every parameter: the base of visitors that read one kind only.
 class IgnoringVisitor : public ParameterVisitor {
  public:
   void quantity(double&, const ParameterInfo&) override {}

@@ -2,9 +2,9 @@
 
 namespace restenosis {
 
-/// Lengths are in metres; what is shown to people counts in these [m].
+/// Lengths are in metres; messages show them in these units [m].
 inline constexpr double mm = 1e-3, um = 1e-6;
-/// How many of the first are a metre: a product with it is rounded otherwise than a quotient by `mm`.
+/// Millimetres per metre. A product with it and a quotient by `mm` differ by rounding.
 inline constexpr double mmPerMetre = 1e3;
 
 }  // namespace restenosis

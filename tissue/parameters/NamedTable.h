@@ -10,7 +10,7 @@
 
 namespace restenosis {
 
-/// An entry of a table that has nothing but a value.
+/// A table entry of a name and a value.
 template <class Value>
 struct Named {
   std::string_view name;
@@ -25,8 +25,8 @@ std::vector<std::string_view> namesOf(const Table& table) {
   return names;
 }
 
-/// The entry called `name`. Throws std::invalid_argument, which says `what` was looked for and, after `list`,
-/// which names there are.
+/// The entry called `name`. Throws std::invalid_argument with `what` was sought and, after `list`, the names
+/// of the table.
 template <class Table>
 const auto& findNamed(const Table& table, std::string_view what, std::string_view name,
                       std::string_view list = "known:") {

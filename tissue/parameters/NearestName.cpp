@@ -34,7 +34,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearestName(std::string_view name, const std::vector<std::string_view>& allowed) {
-  constexpr std::size_t longestCompared = 200;  // a longer name is no slip of the finger
+  constexpr std::size_t longestCompared = 200;  // a longer name is no typing error
   if (name.size() > longestCompared) return {};
   std::string_view best;
   std::size_t fewest = std::string_view::npos;

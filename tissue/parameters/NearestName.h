@@ -6,12 +6,12 @@
 
 namespace restenosis {
 
-/// The allowed name that a person most likely meant by `name`: the one fewest insertions, deletions,
-/// replacements and swaps of neighbouring letters away, regardless of case. Empty when none is near (more
-/// than two edits and more than a third of its length).
+/// The allowed name with the fewest edits from `name`: insertions, deletions, replacements and swaps of
+/// neighbouring letters, regardless of case. Empty when none is near (more than two edits and more than a
+/// third of its length).
 std::string nearestName(std::string_view name, const std::vector<std::string_view>& allowed);
 
-/// "; did you mean 'length'? Allowed: length, wallThickness", the question only where a name is near.
+/// "; did you mean 'length'? Allowed: length, wallThickness"; the question only where a name is near.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& allowed);
 
 }  // namespace restenosis

@@ -13,13 +13,13 @@ namespace restenosis {
 struct ParameterProblem {
   std::string key;                            ///< with its section, as in "stent.length"
   std::string message;                        ///< what is wrong and what is allowed
-  std::vector<std::string_view> others = {};  ///< keys that were looked at beside it
+  std::vector<std::string_view> others = {};  ///< other keys that the check read
 };
 
-/// Whether a key, with its section, has a value that can be relied on.
+/// Whether a key, with its section, has a valid value.
 using KeyIsKnown = std::function<bool(std::string_view key)>;
 
-/// Problems, but for those that were found by reading a key that is not known.
+/// Collects problems; drops those of a check that read a key that is not known.
 class ParameterProblems {
  public:
   explicit ParameterProblems(KeyIsKnown known) : known_(std::move(known)) {}
@@ -28,7 +28,8 @@ class ParameterProblems {
     if (known_(problem.key) && std::ranges::all_of(problem.others, known_))
       all_.push_back(std::move(problem));
   }
-  std::vector<ParameterProblem> take() { return std::move(all_); }
+  /// The problems; none are left here.
+  std::vector<ParameterProblem> extract() { return std::move(all_); }
 
  private:
   KeyIsKnown known_;

@@ -8,15 +8,14 @@
 
 namespace restenosis {
 
-/// What a scene author may know about one key of one section. Bounds are in `unit`, as the author writes
-/// them.
+/// One key of a section, for authors of scenes. Bounds are in `unit`, as authors write them.
 struct ParameterInfo {
   std::string_view key;        ///< name in the scene file
   std::string_view unit = "";  ///< unit of bounds and of the printed default; empty: a plain number
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool minimumAllowed = true;  ///< false: the value must be larger than `minimum`
-  bool required = false;       ///< true: no default; the scene must say it
+  bool required = false;       ///< true: no default; the scene must set it
   std::string_view source =
       "assumed";  ///< source key of the default (T6, ISR3D, ISR2D, Zun 2019, ...) or "assumed"
   std::string_view description = "";

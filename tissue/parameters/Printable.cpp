@@ -13,9 +13,9 @@ struct Range {
   char32_t first, last;
 };
 
-/// What is not seen, or changes how its neighbours are shown: categories Cc, Cf, Zl, Zp, Cs and Co of Unicode
-/// 15, its variation selectors, its letters without a shape, and what is no character.
-constexpr std::array<Range, 30> unseen = {
+/// Characters that are invisible or change how their neighbours are shown: categories Cc, Cf, Zl, Zp, Cs and
+/// Co of Unicode 15, its variation selectors, letters without a shape, and noncharacters.
+constexpr std::array<Range, 30> invisible = {
     {{0x00, 0x1F},       {0x7F, 0x9F},       {0xAD, 0xAD},       {0x34F, 0x34F},     {0x600, 0x605},
      {0x61C, 0x61C},     {0x6DD, 0x6DD},     {0x70F, 0x70F},     {0x890, 0x891},     {0x8E2, 0x8E2},
      {0x115F, 0x1160},   {0x17B4, 0x17B5},   {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},
@@ -23,9 +23,9 @@ constexpr std::array<Range, 30> unseen = {
      {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},   {0xFFF0, 0xFFFB},   {0xFFFE, 0xFFFF},   {0x110BD, 0x110BD},
      {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0x10FFFF}}};
 
-bool isUnseen(char32_t character) {
+bool isInvisible(char32_t character) {
   return std::ranges::any_of(
-      unseen, [character](const Range& r) { return r.first <= character && character <= r.last; });
+      invisible, [character](const Range& r) { return r.first <= character && character <= r.last; });
 }
 
 /// The character of `size` bytes at the beginning of a text.
@@ -50,7 +50,7 @@ std::size_t characterSize(std::string_view text) {
   if (size == 0 || text.size() < size) return 0;
   for (std::size_t k = 1; k < size; ++k)
     if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80) return 0;
-  // Longer than need be, half of a pair of UTF-16, or past the last character
+  // Invalid: an overlong encoding, a UTF-16 surrogate, or past the last character
   constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   const char32_t character = decoded(text, size);
   const bool valid =
@@ -77,7 +77,7 @@ std::string printable(std::string_view text, bool lines) {
         result += text[0];
       else
         result += character == '\n' ? "\\n" : "\\t";
-    } else if (!isUnseen(character)) {
+    } else if (!isInvisible(character)) {
       result += text.substr(0, size);
     } else if (character < 0x80) {
       escape(FMT_STRING("\\x{:02x}"), character);

@@ -10,10 +10,9 @@
 
 namespace restenosis {
 
-/// What a file has, fit to be shown in a message: in quotes, shortened, and without what a terminal would
-/// obey.
+/// A text of a file for messages: in quotes, shortened, and printable().
 inline std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;  // bytes, but for what is left of the last character
+  constexpr std::size_t longest = 40;  // bytes, up to the end of the last character
   std::size_t end = 0;
   while (end < text.size() && end < longest) end += std::max<std::size_t>(1, characterSize(text.substr(end)));
   return fmt::format("'{}{}'", printable(text.substr(0, end)), end < text.size() ? "..." : "");

@@ -20,7 +20,7 @@ std::span<double> vectorOf(std::vector<double>& values, Index i) {
   return std::span(values).subspan(3 * std::size_t{i}, 3);
 }
 
-/// To be brought to `stepShare` of the tolerance if the iterations suffice; a fixed effort stays what it is.
+/// Aims at `stepShare` of the tolerance, as far as the iterations suffice; a fixed effort is unchanged.
 RelaxationParameters aimed(RelaxationParameters relaxation) {
   if (!relaxation.stopAtMaximum) relaxation.tolerance *= Deployment::stepShare;
   relaxation.stopAtMaximum = true;
@@ -85,7 +85,7 @@ RelaxationReport Deployment::step() {
   placeStent();
   RelaxationReport report = relaxBy(relaxation_);
   if (!report.converged && !asked_.stopAtMaximum) {
-    // Less than was aimed at will do, but not less than the scene asks for
+    // Missing the aim is accepted, missing the scene's tolerance is not
     Relaxation asked(mechanics_, asked_, wall_.cellRadius);
     report.append(relaxBy(asked));
   }
@@ -109,8 +109,8 @@ RelaxationReport Deployment::relaxBy(Relaxation& relaxation) {
 }
 
 std::vector<double> Deployment::continueLastMove() {
-  // Steps are equal, so the wall will move much as it did in the last one: starting there, the relaxation has
-  // only the difference to find. Where that is does not change; how soon it is found does.
+  // Initial guess: steps are equal, so the wall moves much as in the last one, and the relaxation has only
+  // the difference to find. The equilibrium does not change, only the number of iterations.
   AgentStore& agents = wall_.agents;
   std::vector<double> values = std::exchange(wall_.lastMove, {});
   const bool known = values.size() == 3 * std::size_t{agents.size()};

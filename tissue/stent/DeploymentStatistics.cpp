@@ -31,16 +31,16 @@ void measureStruts(const Wall& wall, const Stent& stent, DeploymentStatistics& r
     if (agents.kind[i] == AgentKind::strut) continue;
     const Vec3 position = agents.position(i);
     const double radius = radiusOf(position);
-    bool inTheWay = false, lumenward = false, passed = false, under = false;
+    bool inPath = false, lumenward = false, passed = false, under = false;
     const double margin = wall.cellRadius / 2;
     footprint.visit(position, margin, [&](const StrutFootprint::Hit& hit) {
-      inTheWay = true;
+      inPath = true;
       lumenward = lumenward || radius < hit.outerFace;
       passed = passed || radius < hit.outerFace - margin;
       under = under || hit.across < stent.segments[hit.segment].width / 4;
     });
     const bool free = !agents.has(i, fixed);
-    result.freeInTheWay += inTheWay && free;
+    result.freeInPath += inPath && free;
     result.escaped += lumenward;
     result.escapedFree += lumenward && free;
     result.passedFree += passed && free;

@@ -5,10 +5,10 @@
 namespace restenosis {
 namespace {
 
-/// Of the free agents in the way of struts: so many may be left behind (assumed).
+/// Share of the free agents in the path of struts that may be left behind (assumed).
 constexpr double toleratedShare = 0.1;
 
-/// Struts move on before the wall does, so a step must be short against the cells.
+/// Struts move before the wall does, so a step must be short against the cells.
 std::string finerSteps(int deploymentSteps) {
   return fmt::format("raise stent.deploymentSteps (now {})", deploymentSteps);
 }
@@ -16,13 +16,13 @@ std::string finerSteps(int deploymentSteps) {
 }  // namespace
 
 bool strutsWentThrough(const DeploymentStatistics& wall) {
-  return wall.passedFree > toleratedShare * wall.freeInTheWay;
+  return wall.passedFree > toleratedShare * wall.freeInPath;
 }
 
 std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentSteps) {
   if (wall.escaped == 0) return {};
   std::string text = fmt::format(
-      "after deployment {} of the agents in the way of struts {} on their lumenward side:", wall.escaped,
+      "after deployment {} of the agents in the path of struts {} on their lumenward side:", wall.escaped,
       wall.escaped == 1 ? "is" : "are");
   if (wall.passedFree > 0)
     text += fmt::format(" {} free, of which struts have passed {}, {};", wall.escapedFree, wall.passedFree,
@@ -34,7 +34,7 @@ std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentStep
         wall.escapedFree);
   if (const Index held = wall.escaped - wall.escapedFree; held > 0)
     text += fmt::format(
-        " {} fixed, so that they cannot yield, lower vessel.fixedEnds or keep struts away from the ends;",
+        " {} fixed, so that they cannot move, lower vessel.fixedEnds or keep struts away from the ends;",
         held);
   text.pop_back();
   return text;
@@ -44,8 +44,8 @@ void requireWallOutsideStruts(const DeploymentStatistics& wall, int deploymentSt
   if (!strutsWentThrough(wall)) return;
   throw DeploymentFailed(fmt::format(
       "the struts went through the wall instead of pressing it outwards: {} of the {} agents in their "
-      "way that are free to move are lumenward of their outer faces by more than half a cell radius; {}",
-      wall.passedFree, wall.freeInTheWay, finerSteps(deploymentSteps)));
+      "path that are free to move are lumenward of their outer faces by more than half a cell radius; {}",
+      wall.passedFree, wall.freeInPath, finerSteps(deploymentSteps)));
 }
 
 }  // namespace restenosis

@@ -12,15 +12,15 @@ struct DeploymentFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Whether struts have clearly gone through the wall: of the free agents in their way more than a tenth,
-/// about one layer of cells, are left behind lumenward of their outer faces, by more than half a cell radius
-/// (assumed), so far as no soft contact lets a strut sink in.
+/// Whether struts have clearly gone through the wall: more than a tenth of the free agents in their path,
+/// about one layer of cells, are lumenward of their outer faces by more than half a cell radius (assumed),
+/// farther than soft contacts let a strut sink in.
 bool strutsWentThrough(const DeploymentStatistics& wall);
 
-/// What is to be said of agents lumenward of struts' outer faces after a deployment in so many steps, and
-/// which settings keep them where they belong: `stent.deploymentSteps` free ones that struts have passed,
-/// `vessel.fixedEnds` those that are fixed. Where none is passed the struts have sunk in as deep as soft
-/// contacts allow. Empty where there are none.
+/// Remark on agents lumenward of struts' outer faces after a deployment in so many steps, with the setting
+/// that helps: `stent.deploymentSteps` for free agents that struts have passed, `vessel.fixedEnds` for fixed
+/// ones. Where none is passed, the struts have sunk in as deep as soft contacts allow. Empty where no agent
+/// is lumenward.
 std::string remarkOnEscaped(const DeploymentStatistics& wall, int deploymentSteps);
 
 /// Throws DeploymentFailed where strutsWentThrough.

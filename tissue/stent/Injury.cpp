@@ -40,7 +40,7 @@ class Injurer {
            agents_.z[i] <= lastZ_;
   }
 
-  /// Where the IEL may be injured: all but `endMargin` of it beside either fixed end.
+  /// Finds where the IEL may be injured: all but `endMargin` of it beside either fixed end.
   void findExtent() {
     double first = wall_.length, last = 0;
     for (Index i = 0; i < agents_.size(); ++i) {

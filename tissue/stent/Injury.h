@@ -17,22 +17,22 @@ struct InjuryReport {
   Index stretched = 0;          ///< of these, stretched by more than `stretchedStrain`
   Index broken = 0;             ///< at an end of a broken bond, or past the stress limit
   Index fenestrated = 0;        ///< made permeable by chance
-  Index removed = 0;            ///< IEL agents taken away (`removeIel`)
+  Index removed = 0;            ///< IEL agents removed (`removeIel`)
   Index synthetic = 0;          ///< cells that may cycle, the injured IEL agents among them
 };
 
-/// Does to the wall what deployment does beyond moving it (model 4), in this order:
+/// Injures a deployed wall (model 4), in this order:
 /// 1. where `ielBreaks`, an IEL bond breaks when (s_around / limitAround)^2 + (s_along / limitAlong)^2 > 1,
 ///    where s is its strain times the cosine to either direction; it is removed and the agents at both ends
-///    count as broken, as do IEL agents whose stress is past the limit;
+///    count as broken, as do IEL agents with a stress past the limit;
 /// 2. of the other IEL agents, one about which the IEL is stretched by more than `stretchedStrain`
 ///    (laminaStretch) is fenestrated with the given probability;
 /// 3. broken and fenestrated agents become synthetic smooth muscle cells, which keep their bonds; cells
 ///    within reach of one become synthetic as well, or all cells do (`synthetic`);
-/// 4. `removeIel` takes the rest of the IEL away, and cells within reach of it become synthetic;
-/// 5. `denudation` strips the endothelium, or leaves it on the IEL and on what was IEL.
+/// 4. `removeIel` removes the rest of the IEL, and cells within reach of it become synthetic;
+/// 5. `denudation` strips the endothelium, or leaves it on the IEL and on agents that were IEL.
 /// Fixed agents are never injured and never become synthetic, nor is the IEL injured within `endMargin` of
-/// them, where what holds the end stretches it and not the stent. A draw depends on (seed, agent id) alone.
+/// them, where the fixed end stretches it and not the stent. A draw depends on (seed, agent id) alone.
 InjuryReport injure(Wall& wall, const InjuryParameters& parameters, std::uint64_t seed);
 
 }  // namespace restenosis

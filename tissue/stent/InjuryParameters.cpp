@@ -22,7 +22,7 @@ bool InjuryParameters::denuded() const {
 }
 
 bool InjuryParameters::sparesIel(bool stented) const {
-  // Limits that the IEL is past as it is packed
+  // Limits that a packed IEL exceeds already
   const bool anyStrain =
       stretchedStrain == 0 || (ielBreaks && std::min(strainLimitAround, strainLimitAlong) == 0);
   const bool anyStress = ielBreaks && stressLimit > 0;
@@ -82,9 +82,9 @@ void InjuryParameters::describe(ParameterVisitor& p) {
            {.key = "synthetic", .source = "T6", .description = "which cells may cycle"});
   p.choice(denudation, namesOf(denudations),
            {.key = "denudation", .source = "T6", .description = "whether deployment strips the endothelium"});
-  p.boolean(removeIel, {.key = "removeIel",
-                        .source = "assumed",
-                        .description = "take the whole IEL away before growth starts"});
+  p.boolean(
+      removeIel,
+      {.key = "removeIel", .source = "assumed", .description = "remove the whole IEL before growth starts"});
 }
 
 }  // namespace restenosis

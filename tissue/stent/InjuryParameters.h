@@ -17,17 +17,16 @@ struct InjuryParameters {
   double strainLimitAlong = 0.05;
   double stressLimit = 0.0;  ///< on the magnitude of the pressure [Pa]; 0: no limit
   double fenestrationProbability = 0.06;
-  double stretchedStrain = 0.045;  ///< where the IEL is stretched more is "the stretched region"
+  double stretchedStrain = 0.045;  ///< above this the IEL is "the stretched region"
   double endMargin = 0.2e-3;       ///< [m] the IEL nearer a fixed end is never injured
   double syntheticReach = 1.5;     ///< SMC within this times R1 + R2 of an injured IEL agent become synthetic
   std::string synthetic = "nearInjury";  ///< see everyCellSynthetic
   std::string denudation = "full";       ///< see denuded
-  bool removeIel = false;                ///< take the whole IEL away before growth
+  bool removeIel = false;                ///< remove the whole IEL before growth
 
   void describe(ParameterVisitor& p);
-  /// What `synthetic` and `denudation` say: whether all cells may cycle and not only those near an injury,
-  /// and whether deployment strips the endothelium. Throw std::invalid_argument for a word that is none of
-  /// theirs.
+  /// The values of `synthetic` and `denudation`: whether all cells may cycle and not only those near an
+  /// injury, and whether deployment strips the endothelium. Throw std::invalid_argument for an unknown word.
   bool everyCellSynthetic() const;
   bool denuded() const;
   /// Whether the IEL of a packed wall stays whole, with or without a stent.

@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-/// What is to be said of an injury that makes no cell synthetic, so that none can ever cycle: what it lacked,
-/// and which settings count. Empty where some cell may cycle.
+/// Remark on an injury that makes no cell synthetic, so that none can ever cycle: its cause and the settings
+/// that matter. Empty where some cell may cycle.
 std::string remarkOnInjury(const InjuryReport& injury, const InjuryParameters& parameters);
 
 }  // namespace restenosis

@@ -31,8 +31,8 @@ std::vector<PatchBond> patchAbout(const Wall& wall, Index centre) {
   return patch;
 }
 
-/// Solution of least norm of the normal equations A x = b, A symmetric: directions of which the bonds tell
-/// next to nothing, being too few or too much alike, get none of it.
+/// Solution of least norm of the normal equations A x = b, A symmetric: it has no component along directions
+/// that the bonds, too few or too much alike, do not determine.
 Vec3 leastSquares(const Mat3& a, const Vec3& b) {
   constexpr double negligible = 1e-9;  // of the largest eigenvalue
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(a);
@@ -50,20 +50,20 @@ double largestPrincipalStrain(const std::vector<PatchBond>& patch) {
   if (patch.empty()) return 0;
   Mat3 inertia = Mat3::Zero();
   for (const PatchBond& bond : patch) inertia += bond.vector * bond.vector.transpose();
-  // Eigenvalues come in rising order: the plane of the bonds is that of the last two directions.
+  // Eigenvalues are in rising order: the last two directions span the plane of the bonds.
   const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors();
   Mat3 normal = Mat3::Zero();
   Vec3 right = Vec3::Zero();
   for (const PatchBond& bond : patch) {
     const Vec2 u = Vec2(axes.col(1).dot(bond.vector), axes.col(2).dot(bond.vector)).normalized();
-    const Vec3 row(2 * u[0] * u[0], 4 * u[0] * u[1], 2 * u[1] * u[1]);
+    const Vec3 coefficients(2 * u[0] * u[0], 4 * u[0] * u[1], 2 * u[1] * u[1]);
     const double ratio = bond.restLength / bond.vector.norm();
-    normal += row * row.transpose();
-    right += row * (1 - ratio * ratio);
+    normal += coefficients * coefficients.transpose();
+    right += coefficients * (1 - ratio * ratio);
   }
   const Vec3 e = leastSquares(normal, right);
   const double largest = 0.5 * (e[0] + e[2]) + std::hypot(0.5 * (e[0] - e[2]), e[1]);
-  constexpr double tenfold = 0.5 * (1 - 0.01);  // as far as a fit can be taken at its word
+  constexpr double tenfold = 0.5 * (1 - 0.01);  // elongation, the largest for which the fit is trusted
   return 1 / std::sqrt(1 - 2 * std::min(largest, tenfold)) - 1;
 }
 

@@ -6,9 +6,9 @@
 
 namespace restenosis {
 
-/// How far the IEL, a sheet of bonded agents, is stretched about each of its agents: the largest principal
-/// strain of the deformation fitted to the bonds of the agent and of its bonded partners with other IEL
-/// agents; 0 for all other agents and for agents without such a bond.
+/// Stretch of the IEL, a sheet of bonded agents, about each of its agents: the largest principal strain of
+/// the deformation fitted to the bonds of the agent and of its bonded partners with other IEL agents; 0 for
+/// all other agents and for agents without such a bond.
 ///
 /// A single bond of an irregular sheet says little: its strain depends on how its two agents happened to
 /// slip. The strain tensor e (Almansi, in the plane of the bonds as they are now) is therefore the

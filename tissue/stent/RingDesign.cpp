@@ -20,7 +20,7 @@ std::vector<ParameterProblem> checkRing(const StentParameters& stent, const Vess
                          stent.strutWidth / mm, vessel.length / mm),
              {"vessel.length"}}};
   }
-  // The ring itself does not use its stent's length, but who gives one expects it to hold.
+  // The ring itself does not use the stent's length, but a length that is given must hold.
   if (exceeds(stent.strutWidth, stent.length)) {
     return {{"stent.length",
              fmt::format("a stent of {:.6g} mm is shorter than its ring, a strut {:.6g} mm wide "

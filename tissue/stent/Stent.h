@@ -7,8 +7,8 @@
 
 namespace restenosis {
 
-/// A straight piece of a strut: a box (or a cylinder) swept from `a` to `b`. Struts of every design are
-/// chains of these, so mechanics (obstacle agents) and flow (lumen surface) see one shape.
+/// A straight segment of a strut: a box (or a cylinder) swept from `a` to `b`. Struts of every design are
+/// chains of these, so mechanics (obstacle agents) and flow (lumen surface) share one shape.
 /// A round segment with a == b is a sphere (struts loaded from a table).
 struct StrutSegment {
   Vec3 a, b;           ///< ends of the centreline [m]
@@ -17,16 +17,16 @@ struct StrutSegment {
   double thickness;    ///< extent along `radial` [m]
   bool round;          ///< elliptic instead of rectangular cross-section
   double overlap = 0;  ///< the flat ends lie this far beyond a and b, so that a chain has no notches [m]
-  bool openA = true;   ///< whether the strut ends at a; where it goes on the end is no surface
+  bool openA = true;   ///< whether the strut ends at a; where it continues, the end is no surface
   bool openB = true;   ///< the same at b
 
   double length() const { return (b - a).norm(); }
 };
 
 /// Signed distance from points to a strut segment [m], negative inside. Exact for boxes and for circular
-/// sections; for elliptic sections right to first order near the surface. Inside, an end where the strut goes
-/// on does not count, so that the least distance over a chain is that of the chain, without dips at its
-/// joints.
+/// sections; for elliptic sections accurate to first order near the surface. Inside, an end where the strut
+/// continues does not count, so that the least distance over a chain's segments is that of the chain, without
+/// dips at its joints.
 class StrutDistance {
  public:
   explicit StrutDistance(const StrutSegment& segment);
@@ -52,8 +52,8 @@ struct Stent {
   std::vector<StrutSegment> segments;
   std::vector<StrutSphere> spheres;
 
-  /// Centre of spheres[n] [m]. Segments are taken as bent around the axis here, so that the spheres of a ring
-  /// lie on circles.
+  /// Centre of spheres[n] [m]. Here segments are bent around the axis, so that the spheres of a ring lie on
+  /// circles.
   Vec3 centre(std::size_t n) const;
   /// The same stent with every centreline moved away from the axis by `distance` [m].
   Stent movedOutwards(double distance) const;

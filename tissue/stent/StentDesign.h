@@ -10,22 +10,22 @@
 
 namespace restenosis {
 
-/// A way to lay out struts on a cylinder.
+/// A layout of struts on a cylinder.
 struct StentDesign {
   std::string_view name;  ///< in a scene
   bool spansLength;       ///< whether it reads StentParameters::length
   std::vector<StrutSegment> (*build)(const StentParameters&, const StentLayout&);
-  /// Which of its numbers do not fit each other or the vessel; that a stent that spans its length fits into
-  /// the vessel is not asked here.
+  /// Parameters that do not fit each other or the vessel. Does not check that a stent that spans its length
+  /// fits into the vessel (validate()).
   std::vector<ParameterProblem> (*check)(const StentParameters&, const VesselParameters&);
 };
 
-/// The names of all designs, as `choice` wants them.
+/// The names of all designs, for ParameterVisitor::choice.
 std::vector<std::string_view> stentDesignNames();
 /// Throws std::invalid_argument, with the valid names, for an unknown one.
 const StentDesign& stentDesign(std::string_view name);
 
-/// One ring half way along the vessel.
+/// One ring halfway along the vessel.
 std::vector<StrutSegment> buildRing(const StentParameters&, const StentLayout&);
 std::vector<ParameterProblem> checkRing(const StentParameters&, const VesselParameters&);
 /// `ringCount` rings evenly over the stent's length.
@@ -41,8 +41,8 @@ std::vector<ParameterProblem> checkHelix(const StentParameters&, const VesselPar
 std::vector<StrutSegment> buildBiodivysio(const StentParameters&, const StentLayout&);
 std::vector<ParameterProblem> checkBiodivysio(const StentParameters&, const VesselParameters&);
 
-/// For designs with rings: whether `ringCount` rings, each of the extent [m] along the vessel, overlap in the
-/// stent's length.
+/// For designs with rings: the problem if `ringCount` rings, each of this extent along the vessel [m],
+/// overlap in the stent's length.
 std::vector<ParameterProblem> checkRingsOf(double extent, const StentParameters&);
 
 }  // namespace restenosis

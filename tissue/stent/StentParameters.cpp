@@ -20,7 +20,7 @@ void StentParameters::describe(ParameterVisitor& p) {
   p.choice(design, stentDesignNames(),
            {.key = "design",
             .source = "T6",
-            .description = "one ring half way along; rings; rings joined by straight "
+            .description = "one ring halfway along; rings; rings joined by straight "
                            "links; a helix; sinusoidal rings joined by links"});
   p.file(file, {.key = "file",
                 .source = "none",
@@ -87,9 +87,10 @@ void StentParameters::describe(ParameterVisitor& p) {
                               .maximum = 100000,
                               .source = "T6",
                               .description = "equal steps of deployment; the wall relaxes after each"});
-  p.choice(
-      outerLamina, namesOf(outerLaminae),
-      {.key = "outerLamina", .source = "assumed", .description = "whether the EEL yields during deployment"});
+  p.choice(outerLamina, namesOf(outerLaminae),
+           {.key = "outerLamina",
+            .source = "assumed",
+            .description = "whether the EEL may move during deployment"});
 }
 
 }  // namespace restenosis

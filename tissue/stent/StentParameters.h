@@ -30,8 +30,7 @@ struct StentParameters {
   std::string outerLamina = "free";  ///< see fixesOuterLamina
 
   void describe(ParameterVisitor& p);
-  /// Whether the EEL holds its place during deployment. Throws std::invalid_argument for a word that is none
-  /// of `outerLamina`'s.
+  /// Whether the EEL is fixed during deployment. Throws std::invalid_argument for an unknown `outerLamina`.
   bool fixesOuterLamina() const;
 };
 

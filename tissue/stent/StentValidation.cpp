@@ -55,7 +55,7 @@ std::vector<ParameterProblem> validate(const VesselParameters& vessel, const Ste
   if (stent) depth = stent->deploymentDepth;
   checkVessel(vessel, depth, problems);
   if (stent) checkStent(*stent, vessel, problems);
-  return problems.take();
+  return problems.extract();
 }
 
 }  // namespace restenosis

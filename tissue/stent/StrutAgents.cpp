@@ -13,8 +13,8 @@ namespace {
 
 using SectionPoint = std::pair<double, double>;  // across, outward
 
-/// Points `count` + 1 equal steps apart from -half to half; one point in the middle where half is 0.
-std::vector<double> ladder(double half, double spacing) {
+/// Values from -half to half in equal steps of at most `spacing`; one in the middle where half is 0.
+std::vector<double> evenlySpaced(double half, double spacing) {
   if (half <= 0) return {0.0};
   const int steps = static_cast<int>(std::ceil(2 * half / spacing - 1e-9));
   std::vector<double> values;
@@ -40,7 +40,7 @@ std::vector<SectionPoint> sectionPoints(const StrutSegment& segment, double radi
     }
     return points;
   }
-  const auto across = ladder(halfAcross, radius), outward = ladder(halfOutward, radius);
+  const auto across = evenlySpaced(halfAcross, radius), outward = evenlySpaced(halfOutward, radius);
   for (std::size_t i = 0; i < across.size(); ++i) {
     for (std::size_t j = 0; j < outward.size(); ++j) {
       const bool boundary = i == 0 || i + 1 == across.size() || j == 0 || j + 1 == outward.size();

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double largestSagitta = 0.1e-6;  // [m]
 
-/// How far the ends of two segments that turn by the angle between `before` and `after` must overlap; a
-/// little even when straight, so that rounding opens no gap.
+/// Overlap of the ends of two segments with directions `before` and `after` [m]; a little even when straight,
+/// so that rounding opens no gap.
 double overlapAt(const Vec3& before, const Vec3& after, double extent) {
   const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
   return extent * std::clamp(0.5 * std::tan(std::min(turn, 2.0) / 2), 0.005, 0.5);

@@ -8,7 +8,7 @@
 
 namespace restenosis {
 
-/// Where a stent is laid out.
+/// The cylinder that a stent is laid out on.
 struct StentLayout {
   double vesselLength;  ///< [m]
   double outerRadius;   ///< of the struts' outer face [m]
@@ -20,10 +20,10 @@ struct SurfacePoint {
   double z;      ///< [m]
 };
 
-/// The longest segment that stays within a tenth of a micrometre of the arc it stands for [m].
+/// The longest segment that stays within a tenth of a micrometre of its arc [m].
 double longestSegment(double radius);
 
-/// Appends a chain of segments through the points to `segments`, with the section that `stent` says, its
+/// Appends a chain of segments through the points to `segments`, with the cross-section of `stent`, its
 /// outer face at the layout's radius. A chain that ends where it begins is closed. Points should be no
 /// further apart than `longestSegment`.
 void appendChain(std::vector<StrutSegment>& segments, std::span<const SurfacePoint> points,

@@ -10,8 +10,8 @@
 namespace restenosis {
 namespace {
 
-/// A sphere as thick as the lumen's radius is where a strut of a design stops fitting too. With every centre
-/// in the outer half, none of these can reach over the axis. Assumed.
+/// Largest radius of a sphere and least distance of its centre from the axis: struts of designs have the same
+/// limit of thickness, and no such sphere reaches over the axis. Assumed.
 double halfLumenRadius(const VesselParameters& vessel) { return vessel.lumenDiameter / 4; }
 
 void checkSphere(const AgentTable& table, Index i, const VesselParameters& vessel) {
@@ -57,7 +57,7 @@ double outwardsToLumen(const AgentTable& table, const VesselParameters& vessel) 
     checkSphere(table, i, vessel);
     if (reach(i) > reach(outermost)) outermost = i;
   }
-  if (!table.lines.empty()) requireDistinctPlaces(table);  // those of a surface are not the user's
+  if (!table.lines.empty()) requireDistinctPlaces(table);  // spheres of a surface are not the user's
   const double outwards = vessel.lumenDiameter / 2 - reach(outermost);
   for (Index i = 0; i < spheres.size(); ++i) {
     const double moved = radiusOf(spheres.position(i)) + outwards;

@@ -7,8 +7,7 @@
 
 namespace restenosis {
 
-/// What lies over or under struts as seen from the axis: finds the strut that a place shares its angle and
-/// its place along the vessel with.
+/// Finds the segments of struts over or under a place as seen from the axis: those at its angle and z.
 class StrutFootprint {
  public:
   explicit StrutFootprint(const Stent& stent);
@@ -19,7 +18,7 @@ class StrutFootprint {
     double across;     ///< distance from the centreline along the surface, not negative [m]
     double outerFace;  ///< distance of the strut's outer face from the axis [m]
   };
-  /// Calls f(hit) for each segment whose footprint, `margin` narrower on both sides, holds the place.
+  /// Calls f(hit) for each segment with the place in its footprint, made narrower by `margin` on both sides.
   template <class F>
   void visit(const Vec3& place, double margin, F&& f) const {
     const Vec3 here = onSurface(place);

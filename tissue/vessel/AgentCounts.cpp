@@ -20,11 +20,11 @@ AgentCounts countAgents(const VesselParameters& vessel, const WallShape& shape) 
   AgentCounts counts{.iel = onLamina(shape.ielArea), .eel = onLamina(shape.eelArea)};
   const double smc = std::round(total) - counts.iel - counts.eel;
   if (smc < 0 || vessel.wallThickness < 4 * r * (1 - 1e-9)) {
-    throw std::invalid_argument(
-        fmt::format("a wall of {:.4g} um has no room for cells of radius {:.4g} um between its laminae: make "
-                    "vessel.wallThickness or vessel.packingFraction larger, or vessel.cellRadius or "
-                    "vessel.laminaCoverage smaller",
-                    vessel.wallThickness * 1e6, r * 1e6));
+    throw std::invalid_argument(fmt::format(
+        "a wall of {:.4g} um has no space for cells of radius {:.4g} um between its laminae: make "
+        "vessel.wallThickness or vessel.packingFraction larger, or vessel.cellRadius or "
+        "vessel.laminaCoverage smaller",
+        vessel.wallThickness * 1e6, r * 1e6));
   }
   counts.smc = static_cast<Index>(smc);
   return counts;

@@ -30,7 +30,7 @@ enum Column { columnX, columnY, columnZ, columnRadius, columnKind, columnBirthRa
 constexpr std::array<std::string_view, columnCount> columnNames = {"x",      "y",    "z",
                                                                    "radius", "kind", "birthRadius"};
 
-// Of a radius: what digits that were left out may change.
+// Share of a radius that omitted digits may change.
 constexpr double rounding = 1e-3;
 
 // Quotes too, as spreadsheets write them.
@@ -48,7 +48,7 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   }
 }
 
-/// What a text seems to be separated by instead of commas, for people; empty where nothing seems so.
+/// What seems to separate the cells of a text instead of commas, for messages; empty if nothing does.
 std::string_view otherSeparator(std::string_view text) {
   for (const auto& [mark, name] :
        {std::pair<char, std::string_view>{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}})
@@ -86,7 +86,7 @@ class TableReader {
   }
 
  private:
-  /// Goes to the next line; it ends with LF, CRLF, or CR alone, as old spreadsheets write it.
+  /// Reads the next line. Lines end with LF, CRLF, or CR alone (old spreadsheets).
   bool nextLine(std::string_view& line) {
     if (!rest_) {
       if (!std::getline(stream_, buffer_)) return false;
@@ -107,8 +107,8 @@ class TableReader {
     throw AgentTableError(fmt::format("{}:{}: {}", file_.string(), line_, message));
   }
 
-  /// Fails with the message, or with the reason for it where cells are separated as spreadsheets do it in
-  /// countries whose decimals have a comma.
+  /// Fails with the message, or with its cause where the separator is another one, as spreadsheets write it
+  /// in countries with decimal commas.
   [[noreturn]] void failIn(std::string_view text, const std::string& message) const {
     const auto other = otherSeparator(text);
     if (other.empty()) fail(message);
@@ -183,7 +183,7 @@ class TableReader {
     for (const auto& [name, kind] : kinds) {
       if (cell == name) return kind;
     }
-    // Struts stand in tables of their own, which hold nothing else
+    // A table of struts holds nothing else
     if (defaultKind_ == AgentKind::strut)
       fail(fmt::format("unknown kind {}{}; the column may be left out", shown(cell),
                        suggestion(cell, {"strut"})));
@@ -195,7 +195,7 @@ class TableReader {
   std::filesystem::path file_;
   std::ifstream stream_;
   std::string buffer_;                    ///< up to a line feed
-  std::optional<std::string_view> rest_;  ///< lines of the buffer that are still to come, if any
+  std::optional<std::string_view> rest_;  ///< unread lines of the buffer, if any
   AgentKind defaultKind_;
   std::size_t line_ = 0, width_ = 0;
   std::array<std::optional<std::size_t>, columnCount> place_;

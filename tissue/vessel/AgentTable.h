@@ -15,14 +15,14 @@ struct AgentTableError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The agents of a file, and where each of them stands in it.
+/// The agents of a file, with the line of each.
 struct AgentTable {
   std::filesystem::path file;
   AgentStore agents;
-  /// Of each agent, the first line of the file is 1. Empty where agents do not come from lines of their own.
+  /// Line of each agent, from 1. Empty where agents do not come from lines of a file.
   std::vector<std::size_t> lines;
 
-  /// For people: "line 5", or, without lines, the agent's place in mm.
+  /// For messages: "line 5", or, without lines, the agent's place in mm.
   std::string placeOf(Index i) const;
   /// Throws an AgentTableError about agent i: file, line or place, message.
   [[noreturn]] void fail(Index i, const std::string& message) const;
@@ -34,8 +34,7 @@ struct AgentTable {
 /// born). A comment goes from # to the end of its line. Ids are given in the order of the lines. Throws
 /// AgentTableError for a missing or unknown column, a wrong number of cells, a cell that is no finite number,
 /// a radius that is not positive, a radius at birth from which no cell grows to its present one, an unknown
-/// kind, or a table without agents. Whether the agents fit a vessel is for readWallTable and outwardsToLumen
-/// to say.
+/// kind, or a table without agents. readWallTable and outwardsToLumen check whether the agents fit a vessel.
 AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind = AgentKind::smc);
 
 /// Writes a table that readAgentTable reads back to within rounding. Throws AgentTableError if it cannot be

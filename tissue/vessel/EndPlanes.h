@@ -4,7 +4,7 @@
 
 namespace restenosis {
 
-/// Keeps centres between the vessel's ends, 0 <= z <= length: nothing leaks out of the piece modelled.
+/// Keeps centres between the vessel's ends, 0 <= z <= length: no agent leaves the modelled segment.
 class EndPlanes : public Constraint {
  public:
   explicit EndPlanes(double length) : length_(length) {}

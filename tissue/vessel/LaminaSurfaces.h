@@ -5,8 +5,8 @@
 
 namespace restenosis {
 
-/// For packing: each lamina's agents slide on its surface, and cells stay between the two they are given.
-/// Places are corrected along the radius, forces taken out along the surface's normal.
+/// For packing: a lamina's agents slide on its surface, and cells stay between the surfaces `inner` and
+/// `outer`. Positions are corrected along the radius; force is removed along the surface's normal.
 class LaminaSurfaces : public Constraint {
  public:
   /// `shape` must outlive the object.

@@ -5,19 +5,19 @@
 
 namespace restenosis {
 
-/// Keeps cells inside the EEL by a surface: between the spheres of the lamina a pressed cell would leak
-/// (model 4). The surface is the smooth radius map of the EEL agents; a cell's centre stays `margin` of its
-/// radius inside it. It acts radially.
+/// Keeps cells inside a smooth surface through the EEL: a pressed cell would leak between the spheres of the
+/// lamina (model 4). The surface is the radius map of the EEL agents; a cell's centre stays `margin` of its
+/// radius inside it. The constraint acts radially.
 ///
-/// The surface is that of the agents when it was made: make a new one after the EEL has moved.
+/// The surface is fixed at construction: make a new one after the EEL has moved.
 class OuterConfinement : public Constraint {
  public:
   OuterConfinement() = default;  ///< confines nothing
   /// `cellRadius` is the mean radius of the wall's agents [m]; the surface is smoothed over twice that.
   OuterConfinement(const AgentStore& agents, double cellRadius, double margin = defaultMargin);
 
-  /// Half a radius (assumed): a cell at rest beside the EEL stays further in, so that the surface carries
-  /// nothing there.
+  /// Half a radius (assumed): a cell at rest beside the EEL is further in, so the surface carries nothing
+  /// there.
   static constexpr double defaultMargin = 0.5;
 
   void project(AgentKind kind, double radius, Vec3& position) const override;
@@ -30,10 +30,9 @@ class OuterConfinement : public Constraint {
   }
 
  private:
-  /// The distance from the axis [m] below which an agent is farther in than what release() takes for on the
-  /// surface, where that is `surface` from the axis.
+  /// Distance from the axis [m] below which release() does not act where the surface is at `surface` [m].
   double clearlyInside(double surface, double radius) const;
-  /// True of most agents, at the cost of a few multiplications: so far inside that the surface cannot act.
+  /// Whether an agent is so far inside that the surface cannot act; cheap, and true of most.
   bool deepInside(const Vec3& position, double radius) const;
 
   RadiusMap map_;

@@ -9,7 +9,7 @@
 namespace restenosis {
 namespace {
 
-// Speed only: enough that a bound tells a stent's cells from those beside it.
+// Speed only: enough that a bound distinguishes a stent's cells from those beside it.
 constexpr int sectors = 64;
 
 }  // namespace
@@ -78,12 +78,12 @@ void RadiusMap::continueIntoGaps(std::vector<double>& weight) {
         if (isKnown(around, along)) continue;
         double sum = 0;
         int neighbours = 0;
-        const auto take = [&](int a, int b) {
+        const auto addIfKnown = [&](int a, int b) {
           if (b < 0 || b >= along_ || !isKnown(a, b)) return;
           sum += value(a, b), ++neighbours;
         };
-        take((around + 1) % around_, along), take((around + around_ - 1) % around_, along);
-        take(around, along - 1), take(around, along + 1);
+        addIfKnown((around + 1) % around_, along), addIfKnown((around + around_ - 1) % around_, along);
+        addIfKnown(around, along - 1), addIfKnown(around, along + 1);
         if (neighbours > 0) {
           value(around, along) = sum / neighbours;
           weight[static_cast<std::size_t>(along) * around_ + around] = 1;
@@ -103,18 +103,19 @@ int RadiusMap::sectorOf(double x, double y) {
   return std::clamp(static_cast<int>((turned + 2) / 4 * sectors), 0, sectors - 1);
 }
 
-int RadiusMap::rowOf(double z) const {
+int RadiusMap::intervalOf(double z) const {
   const double v = (z - zLow_) / zStep_;
   return v > 0 ? static_cast<int>(std::min(v, std::max(0.0, along_ - 2.0))) : 0;
 }
 
 void RadiusMap::bound() {
-  const int rows = std::max(1, along_ - 1);
-  lowest_.assign(static_cast<std::size_t>(rows) * sectors, std::numeric_limits<double>::infinity());
-  for (int row = 0; row < rows; ++row) {
+  const int intervals = std::max(1, along_ - 1);
+  lowest_.assign(static_cast<std::size_t>(intervals) * sectors, std::numeric_limits<double>::infinity());
+  for (int interval = 0; interval < intervals; ++interval) {
     for (int k = 0; k < around_; ++k) {
-      const int right = (k + 1) % around_, next = std::min(row + 1, along_ - 1);
-      const double corners = std::min({value(k, row), value(right, row), value(k, next), value(right, next)});
+      const int right = (k + 1) % around_, next = std::min(interval + 1, along_ - 1);
+      const double corners =
+          std::min({value(k, interval), value(right, interval), value(k, next), value(right, next)});
       const auto sectorOfNode = [&](int node) {
         const double angle = (static_cast<double>(node) / around_ - 0.5) * 2 * std::numbers::pi;
         return sectorOf(std::cos(angle), std::sin(angle));
@@ -123,7 +124,7 @@ void RadiusMap::bound() {
       const int first = k == 0 ? 0 : sectorOfNode(k);
       const int last = k + 1 == around_ ? sectors - 1 : sectorOfNode(k + 1);
       for (int s = first - 1; s <= last + 1; ++s) {
-        double& low = lowest_[static_cast<std::size_t>(row) * sectors + (s + sectors) % sectors];
+        double& low = lowest_[static_cast<std::size_t>(interval) * sectors + (s + sectors) % sectors];
         low = std::min(low, corners * (1 - 1e-9));  // rounding of the interpolation is far below
       }
     }
@@ -133,7 +134,7 @@ void RadiusMap::bound() {
 
 double RadiusMap::lowestNear(double x, double y, double z) const {
   if (empty()) return std::numeric_limits<double>::infinity();
-  return lowest_[static_cast<std::size_t>(rowOf(z)) * sectors + sectorOf(x, y)];
+  return lowest_[static_cast<std::size_t>(intervalOf(z)) * sectors + sectorOf(x, y)];
 }
 
 Vec3 RadiusMap::normalAt(const Vec3& point) const {
@@ -151,7 +152,7 @@ double RadiusMap::at(const Vec3& point) const {
   const Cylindrical c = toCylindrical(point);
   const double u = (c.angle / (2 * std::numbers::pi) + 0.5) * around_;
   const double v = std::clamp((c.z - zLow_) / zStep_, 0.0, static_cast<double>(along_ - 1));
-  const int u0 = static_cast<int>(std::floor(u)), v0 = rowOf(c.z);
+  const int u0 = static_cast<int>(std::floor(u)), v0 = intervalOf(c.z);
   const double s = u - u0, t = v - v0;
   const int left = u0 % around_, right = (u0 + 1) % around_, next = std::min(v0 + 1, along_ - 1);
   return (1 - t) * ((1 - s) * value(left, v0) + s * value(right, v0)) +

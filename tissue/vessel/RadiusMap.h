@@ -14,13 +14,13 @@ class RadiusMap {
  public:
   RadiusMap() = default;
   /// Averages the agents of one kind. `smoothing` is the standard deviation of the weight [m], at least half
-  /// the spacing of the agents; where there are none within three of it the nearest values are continued.
+  /// the spacing of the agents; beyond three of it from all of them the nearest values are continued.
   RadiusMap(const AgentStore& agents, AgentKind kind, double smoothing);
   /// The map with these values [m], `around` of them for each of the places zLow, zLow + zStep, ... [m]; the
   /// first of each is that in the direction -x, the next ones follow counterclockwise.
   RadiusMap(int around, double zLow, double zStep, std::vector<double> values);
 
-  /// Whether there was any agent; without one `at` is infinite: no surface.
+  /// Whether there were no agents; `at` is then infinite.
   bool empty() const { return values_.empty(); }
   /// Distance of the surface from the axis at the point's angle and place along the vessel [m].
   double at(const Vec3& point) const;
@@ -29,12 +29,12 @@ class RadiusMap {
   Vec3 normalAt(const Vec3& point) const;
   /// Distances of the nodes of the map from the axis [m].
   std::span<const double> values() const { return values_; }
-  /// A bound that `at` is not below at a point [m], found without an angle; infinite without agents.
+  /// Lower bound of `at` at a point [m], found without an angle; infinite without agents.
   double lowestNear(double x, double y, double z) const;
-  /// A bound that `at` is nowhere below [m]; infinite without agents.
+  /// Lower bound of `at` everywhere [m]; infinite without agents.
   double lowest() const { return lowestOfAll_; }
 
-  /// Made again, it may differ by rounding: it sums over agents in the order of the store.
+  /// A map built again may differ by rounding: it sums over agents in the order of the store.
   template <class Archive>
   void archive(Archive& a) {
     a(around_, along_, zLow_, zStep_, values_, lowest_, lowestOfAll_);
@@ -49,12 +49,13 @@ class RadiusMap {
   void bound();
   /// Sector of a direction, increasing with its angle.
   static int sectorOf(double x, double y);
-  int rowOf(double z) const;
+  /// Interval along the vessel, between two nodes of the map.
+  int intervalOf(double z) const;
 
   int around_ = 0, along_ = 0;
   double zLow_ = 0, zStep_ = 1;
   std::vector<double> values_;
-  std::vector<double> lowest_;  ///< by row of nodes along the vessel and sector
+  std::vector<double> lowest_;  ///< by interval along the vessel and sector
   double lowestOfAll_ = std::numeric_limits<double>::infinity();
 };
 

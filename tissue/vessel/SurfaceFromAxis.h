@@ -6,8 +6,8 @@
 
 namespace restenosis {
 
-/// A surface around the vessel's axis that is seen from all of the axis: a cylinder, or one whose distance
-/// from the axis is mapped.
+/// A surface around the vessel's axis that each ray normal to the axis meets once: a cylinder, or a map of
+/// its distance from the axis.
 class SurfaceFromAxis {
  public:
   /// A cylinder of this radius [m].
@@ -23,8 +23,8 @@ class SurfaceFromAxis {
   /// Bounds of `at` [m].
   double least() const { return least_; }
   double greatest() const { return greatest_; }
-  /// Area of a piece of the surface at a point, over that of its shadow on a cylinder of radius 1 m about the
-  /// axis: the distance from the axis, more where the surface is steep [m].
+  /// Area of a surface element over that of its radial projection on a cylinder of radius 1 m about the axis:
+  /// the distance from the axis, more where the surface is steep [m].
   double areaElementAt(const Vec3& point) const;
 
  private:

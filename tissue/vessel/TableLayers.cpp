@@ -12,7 +12,7 @@
 namespace restenosis {
 namespace {
 
-/// Of the EEL's agents, whether any is near a place of its surface.
+/// The EEL's agents by z, to find whether any is near a place.
 class EelAgents {
  public:
   explicit EelAgents(const AgentStore& agents) {

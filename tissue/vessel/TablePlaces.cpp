@@ -25,7 +25,7 @@ void requireDistinctPlaces(const AgentTable& table) {
   std::iota(order.begin(), order.end(), Index{0});
   std::ranges::sort(order, {}, [&place](Index i) { return std::pair(place[i], i); });
   const double reachAhead = 2 * samePlace * std::ranges::max(agents.radius);
-  std::optional<std::pair<Index, Index>> found;  // later and earlier of the first two
+  std::optional<std::pair<Index, Index>> found;  // later and earlier of the first pair
   for (std::size_t n = 0; n < order.size(); ++n) {
     for (std::size_t m = n + 1; m < order.size() && place[order[m]] - place[order[n]] <= reachAhead; ++m) {
       const auto [earlier, later] = std::minmax(order[n], order[m]);

@@ -4,9 +4,8 @@
 
 namespace restenosis {
 
-/// Throws AgentTableError where two agents of a table, whose lines are known, are at one place: bonds of no
-/// length have no strain, forces between agents at one place no direction, and a sphere that is there twice
-/// pushes twice.
+/// Throws AgentTableError where two agents of a table with known lines are at one place: a bond of length 0
+/// has no strain, a force between the two no direction, and a duplicate sphere pushes twice.
 void requireDistinctPlaces(const AgentTable& table);
 
 }  // namespace restenosis

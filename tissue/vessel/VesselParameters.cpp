@@ -67,20 +67,18 @@ void VesselParameters::describe(ParameterVisitor& p) {
               .source = "assumed",
               .description = "agents nearer than this times R1 + R2 are bonded in the packed wall; "
                              "0 makes no bonds"});
-  p.quantity(fixedEnds,
-             {.key = "fixedEnds",
-              .minimum = 0,
-              .maximum = 100,
-              .source = "assumed",
-              .description = "agents whose centres lie within this many cell radii of an end of the "
-                             "vessel never move: they stand for the vessel beyond"});
-  p.quantity(stenosis,
-             {.key = "stenosis",
-              .minimum = 0,
-              .maximum = 0.99,
-              .source = "assumed",
-              .description = "share of the lumen diameter taken away half way along, cosine-shaped; "
-                             "only in scenes without tissue"});
+  p.quantity(fixedEnds, {.key = "fixedEnds",
+                         .minimum = 0,
+                         .maximum = 100,
+                         .source = "assumed",
+                         .description = "agents with centres within this many cell radii of an end of the "
+                                        "vessel never move: they stand for the vessel beyond"});
+  p.quantity(stenosis, {.key = "stenosis",
+                        .minimum = 0,
+                        .maximum = 0.99,
+                        .source = "assumed",
+                        .description = "share of the lumen diameter removed halfway along, cosine-shaped; "
+                                       "only in scenes without tissue"});
   p.quantity(stenosisLength, {.key = "stenosisLength",
                               .unit = "mm",
                               .minimum = 0,

@@ -21,7 +21,7 @@ struct VesselParameters {
   double laminaCoverage = 0.82;    ///< area of a lamina's agents' cross-sections over its area
   double bondRange = 1.1;          ///< bonds join agents nearer than this times R1 + R2
   double fixedEnds = 2.0;          ///< centres within this many cell radii of an end never move
-  double stenosis = 0.0;           ///< largest share of the diameter taken away, half way along
+  double stenosis = 0.0;           ///< largest share of the diameter removed, halfway along
   double stenosisLength = 1.8e-3;  ///< [m]
   std::string agents;              ///< CSV of agents to load instead of packing
   std::string lumenSurface;        ///< STL of the lumen to use instead of a cylinder

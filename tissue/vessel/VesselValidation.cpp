@@ -29,7 +29,7 @@ void checkWall(const VesselParameters& v, std::optional<double> depth, Parameter
                           "vessel.wallThickness"})
     if (!problems.known(key)) return;
   try {
-    // Without its depth nothing can be said of the place that the stent is pressed to
+    // Without a valid depth the stent's final place is not checked
     if (!problems.known("stent.deploymentDepth")) depth.reset();
     readWallTable(v, depth);
   } catch (const AgentTableError& error) {

@@ -7,8 +7,8 @@
 
 namespace restenosis {
 
-/// Everything about the vessel that does not fit together, for a stent that is pressed in by
-/// `deploymentDepth` [m] (nothing: no stent): more agents than there is room for, a wall's table that cannot
+/// Adds all that does not fit together in the vessel's parameters, for a stent that is pressed in by
+/// `deploymentDepth` [m] (nothing: no stent): more agents than there is space for, a wall's table that cannot
 /// be read or does not fit.
 void checkVessel(const VesselParameters& vessel, std::optional<double> deploymentDepth,
                  ParameterProblems& problems);

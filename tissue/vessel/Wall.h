@@ -17,8 +17,8 @@ struct Wall {
   double lumenRadius = 0;    ///< before stenting [m]
   double wallThickness = 0;  ///< [m]
   double cellRadius = 0;     ///< mean radius of the wall's agents [m]
-  /// How far the last deployment step moved each agent: x, y, z by agent [m]; empty before the first and once
-  /// deployment is over.
+  /// Displacement of each agent in the last deployment step: x, y, z by agent [m]; empty before the first
+  /// step and once deployment is over.
   std::vector<double> lastMove;
 
   template <class Archive>
@@ -37,14 +37,14 @@ inline Wall emptyWall(const VesselParameters& vessel) {
   return wall;
 }
 
-/// Flags agents whose centres lie within `radii` mean cell radii of an end as fixed, all others as free.
+/// Flags agents with centres within `radii` mean cell radii of an end as fixed, all others as free.
 void fixEnds(Wall& wall, double radii);
 
 /// Flags every EEL agent as fixed (model 2: the tissue outside is stiff); the ends keep their flags.
 void fixOuterLamina(Wall& wall);
 
 /// Orders agents, bonds included, so that neighbours in space are neighbours in memory (spatialOrder). Ids
-/// stay. Returns which agent was moved to each place.
+/// stay. Returns the former index of the agent at each place.
 std::vector<Index> orderInSpace(Wall& wall);
 
 }  // namespace restenosis

@@ -35,7 +35,7 @@ std::vector<Vec3> positions(const AgentStore& agents) {
   return all;
 }
 
-/// How far agents went from where they were `held`.
+/// Measures the displacement of agents from where they were `held`.
 void measureRelease(const std::vector<Vec3>& held, const AgentStore& agents, PackingReport& report) {
   double squares = 0, outwards = 0;
   for (Index i = 0; i < agents.size(); ++i) {
@@ -95,8 +95,7 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   Wall wall = scatterWall(vessel, shape, seed, meanwhile);
   orderInSpace(wall);
 
-  // Packing always runs to equilibrium: what the scene says about effort and mobility is for its own
-  // deformations.
+  // Packing always runs to equilibrium: the scene's effort and mobility are for deployment and growth.
   RelaxationParameters settings = asked;
   settings.minimiser = RelaxationParameters().minimiser;
   settings.axialForceFactor = 1;
@@ -124,8 +123,8 @@ Wall packWall(const VesselParameters& vessel, const WallShape& shape, const Mech
   const std::array<const Constraint*, 2> packing = {&surfaces, &ends};
   done.packed = relax(packing);
 
-  // Bonded before the laminae are let go: the bonds of the IEL take up the pressure that its surface
-  // carried, which without them would push it some micrometres into the lumen.
+  // Bonds are made before the laminae are released: those of the IEL then carry the pressure that its surface
+  // carried, which would otherwise push it some micrometres into the lumen.
   orderInSpace(wall);
   done.bonds = bondWall(wall, vessel.bondRange);
   const std::vector<Vec3> held = positions(wall.agents);

@@ -16,8 +16,8 @@
 namespace restenosis {
 namespace {
 
-// Assumed, all of them: beyond what a run can make of a wall, well within what a mistaken unit does.
-constexpr double radiusRatio = 10;         // either way, to the vessel's cell radius
+// All assumed: wide enough for every wall of a run, narrow enough to detect a mistaken unit.
+constexpr double radiusRatio = 10;         // to the vessel's cell radius, or its inverse
 constexpr double leastShareOfOuter = 0.5;  // reached by the outermost agent
 constexpr double longestGap = 0.25;        // without agents, of the vessel's length
 constexpr int octants = 8;                 // about the axis, none of them empty
@@ -76,8 +76,8 @@ class WallTableCheck {
     }
     if (deploymentDepth_ && agents_.kind[i] == AgentKind::strut) {
       table_.fail(i,
-                  "a strut in the wall of a scene with [stent], which brings its own struts; take the row "
-                  "out of the table, or [stent] out of the scene");
+                  "a strut in the wall of a scene with [stent], which brings its own struts; remove the "
+                  "line from the table, or [stent] from the scene");
     }
   }
 
