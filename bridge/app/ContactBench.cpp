@@ -51,7 +51,7 @@ struct Workload {
   /// Builds the pair lists of all agents, in parallel.
   void build(std::vector<PairList>& of) const {
     const PairSource source = ForceField(mechanics).pairs(wall.agents, neighbours, wall.bonds);
-    forEachPiece(all.size(), [&](std::size_t begin, std::size_t) {
+    forEachChunk(all.size(), [&](std::size_t begin, std::size_t) {
       of[begin / PairList::capacity].build(source, chunk(begin), wall.agents.size());
     });
   }
@@ -91,7 +91,7 @@ template <class Spheres>
 double passRate(const Workload& work, const Spheres& spheres, std::vector<AgentLoad>& load) {
   const ForceField field(work.mechanics);
   return 1 / secondsPerCall([&] {
-           forEachPiece(work.all.size(), [&](std::size_t begin, std::size_t end) {
+           forEachChunk(work.all.size(), [&](std::size_t begin, std::size_t end) {
              field.evaluate(spheres, work.lists[begin / PairList::capacity], work.chunk(begin),
                             std::span(load).subspan(begin, end - begin));
            });

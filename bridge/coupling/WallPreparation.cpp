@@ -60,7 +60,7 @@ Wall WallPreparation::initialWall() {
     if (scene.stent) depth = scene.stent->deploymentDepth;
     Wall wall = adoptWall(vessel, readWallTable(vessel, depth));
     // A packed wall's were set when it came to rest; injury may ask for them before this one does
-    ForceField(*scene.mechanics).setPressures(wall.agents, wall.bonds);
+    ForceField(*scene.mechanics).setStresses(wall.agents, wall.bonds);
     return wall;
   }
   return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),

@@ -55,7 +55,7 @@ void writeTissue(const std::filesystem::path& file, const AgentStore& agents, do
   floats("birthRadius", agents.birthRadius);
   bytes("kind", [&](std::size_t i, int) { return agents.kind[i]; });
   bytes("state", [&](std::size_t i, int) { return agents.state[i]; });
-  floats("stress", agents.pressure);
+  floats("stress", agents.stress);
   floats("NO", agents.nitricOxide);
   floats("wss", agents.wss);
   for (const auto& [name, flag] : flagArrays)

@@ -138,7 +138,7 @@ std::vector<double> outwards(const NearestTriangle& side, const RayGrid& grid,
   constexpr int mostSteps = 200;
   constexpr double accuracy = 1e-4;
   std::vector<double> radii(grid.size(), -1);
-  forEachHeavyPiece(grid.size(), [&](std::size_t begin, std::size_t end) {
+  forEachHeavyChunk(grid.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
       // The distance grows no faster than the way, so that this comes from within and does not go too far
       double radius = lumen[node] + distance;

@@ -7,8 +7,8 @@
 
 namespace restenosis::support {
 
-/// A worked example of a new contact law, and all there is to write: F = k d with k = C R. Its row in the table
-/// is contactLawOf<LinearContact>().
+/// A worked example of a new contact law, and all there is to write: F = k d with k = C R. Its row in the
+/// table is contactLawOf<LinearContact>().
 class LinearContact {
  public:
   static constexpr std::string_view name = "linear";

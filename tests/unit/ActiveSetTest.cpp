@@ -19,8 +19,7 @@ void setAs(ActiveChunk& chunk, std::size_t n, Index i) {
 }
 
 void add(ActiveSet& active, const std::vector<Index>& agents) {
-  active.add(agents,
-             [&](ActiveChunk& chunk, std::size_t n, std::size_t k) { setAs(chunk, n, agents[k]); });
+  active.add(agents, [&](ActiveChunk& chunk, std::size_t n, std::size_t k) { setAs(chunk, n, agents[k]); });
 }
 
 /// Whether the set is these agents, each with all that is its own.
@@ -38,8 +37,8 @@ void expectSet(const ActiveSet& active, const std::vector<Index>& agents) {
     ASSERT_EQ(chunk.kind[k], expected.kind[0]) << i;
     ASSERT_EQ(chunk.radius[k], expected.radius[0]) << i;
     const AgentForce now = chunk.force(k), then = expected.force(0);
-    ASSERT_EQ((std::array{now.fx, now.fy, now.fz, now.stiffness, now.residual, now.pressure}),
-              (std::array{then.fx, then.fy, then.fz, then.stiffness, then.residual, then.pressure}))
+    ASSERT_EQ((std::array{now.fx, now.fy, now.fz, now.stiffness, now.residual, now.stress}),
+              (std::array{then.fx, then.fy, then.fz, then.stiffness, then.residual, then.stress}))
         << i;
     ASSERT_EQ((std::array{chunk.vy[k], chunk.path[k], chunk.unreviewed[k], chunk.listMargin[k],
                           chunk.constraintMargin[k]}),

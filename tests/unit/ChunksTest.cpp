@@ -30,7 +30,7 @@ TEST(Chunks, KeepTheOrderOfAList) {
 }
 
 TEST(Chunks, JoinWhatPiecesTellInTheirOrder) {
-  const auto told = gatherPieces(1000, [](std::size_t begin, std::size_t end, std::vector<Index>& out) {
+  const auto told = gatherChunks(1000, [](std::size_t begin, std::size_t end, std::vector<Index>& out) {
     out.push_back(static_cast<Index>(begin));
     out.push_back(static_cast<Index>(end));
   });
@@ -52,7 +52,7 @@ TEST(Chunks, TakeEveryElementOnceWithAnyNumberOfThreads) {
 
 TEST(Chunks, TakeEveryElementOnceInALoopWithinALoop) {
   std::vector<int> taken(20 * parallelFrom, 0);
-  forEachPiece(
+  forEachChunk(
       20,
       [&](std::size_t begin, std::size_t) {
         forEachInChunks(parallelFrom, [&](std::size_t k) { ++taken[begin * parallelFrom + k]; });

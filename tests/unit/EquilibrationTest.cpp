@@ -29,8 +29,7 @@ struct Line {
     bonds.resize(count);
   }
   Equilibration equilibration() {
-    const ForceCache::Settings cache{
-        .leastStiffness = 1e-3, .skin = 0.4 * r, .mixed = FixedScale(r)};
+    const ForceCache::Settings cache{.leastStiffness = 1e-3, .skin = 0.4 * r, .mixed = FixedScale(r)};
     return {agents, bonds, {}, field, neighbours, cache, settings.relaxation};
   }
 };

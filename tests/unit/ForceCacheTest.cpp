@@ -32,9 +32,8 @@ struct Line {
     bonds.resize(count);
     bonds.connect(0, count - 1, 100 * r);
     active.reset(count);
-    const ForceCache::Settings settings{.leastStiffness = 1e-3,
-                                        .skin = 8 * r,
-                                        .mixed = mixed ? std::optional(FixedScale(r)) : std::nullopt};
+    const ForceCache::Settings settings{
+        .leastStiffness = 1e-3, .skin = 8 * r, .mixed = mixed ? std::optional(FixedScale(r)) : std::nullopt};
     forces = std::make_unique<ForceCache>(agents, bonds, constraints, field, neighbours, settings);
     forces->refresh();
   }
@@ -158,7 +157,7 @@ TEST(ForceCache, EvaluatesActiveAndInactiveAgentsAlike) {
     EXPECT_EQ(force.fx, inactive[k].fx);
     EXPECT_EQ(force.residual, inactive[k].residual);
     EXPECT_EQ(forces.residual(some[k]), inactive[k].residual);
-    EXPECT_EQ(agents.pressure[some[k]], inactive[k].pressure);
+    EXPECT_EQ(agents.stress[some[k]], inactive[k].stress);
   }
 }
 

@@ -71,8 +71,8 @@ TEST(ForceField, PressesTheMiddleOfAChainByItsForceOverItsArea) {
   const auto loads = ForceField(p).evaluate(agents, bonds);
   const double force = forceOf(HertzContact(p.contactModulus), 0.2 * r, r / 2);
   const double volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-  EXPECT_NEAR(loads[1].pressure / (spacing * force / (3 * volume)), 1, 1e-12);
-  EXPECT_NEAR(loads[0].pressure / loads[1].pressure, 0.5, 1e-12);
+  EXPECT_NEAR(loads[1].stress / (spacing * force / (3 * volume)), 1, 1e-12);
+  EXPECT_NEAR(loads[0].stress / loads[1].stress, 0.5, 1e-12);
   EXPECT_NEAR(loads[0].fx / -force, 1, 1e-12);
 }
 
@@ -83,7 +83,7 @@ TEST(ForceField, PullsNegativePressureOnABond) {
   bonds.resize(2);
   bonds.connect(0, 1, 2 * r);
   const auto loads = ForceField(MechanicsParameters{}).evaluate(agents, bonds);
-  EXPECT_LT(loads[0].pressure, 0);
+  EXPECT_LT(loads[0].stress, 0);
   EXPECT_NEAR(loads[0].fz / (2.18e6 * 0.25 * 4 * r * r), 1, 1e-6);  // rest lengths are floats
 }
 
@@ -159,9 +159,9 @@ TEST(ForceField, SetsThePressureOfAllButStruts) {
   bonds.resize(3);
   const ForceField field(ofLaw("hertz"));
   const auto loads = field.evaluate(agents, bonds);
-  field.setPressures(agents, bonds);
-  EXPECT_GT(loads[0].pressure, loads[1].pressure);
-  EXPECT_EQ(agents.pressure, (std::vector<double>{loads[0].pressure, loads[1].pressure, 0}));
+  field.setStresses(agents, bonds);
+  EXPECT_GT(loads[0].stress, loads[1].stress);
+  EXPECT_EQ(agents.stress, (std::vector<double>{loads[0].stress, loads[1].stress, 0}));
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ TEST(Injury, StressLimitBreaksInTensionAndInCompression) {
   parameters.stressLimit = 1e5;
   for (const double beyond : {-2e5, 2e5}) {
     Wall wall = stretchedWall(0, 0);
-    for (Index i = 0; i < wall.agents.size(); ++i) wall.agents.pressure[i] = i % 3 == 0 ? beyond : 0.5e5;
+    for (Index i = 0; i < wall.agents.size(); ++i) wall.agents.stress[i] = i % 3 == 0 ? beyond : 0.5e5;
     const InjuryReport report = injure(wall, parameters, 1);
     EXPECT_GT(report.broken, 0u);
     EXPECT_LT(report.broken, report.iel / 2);

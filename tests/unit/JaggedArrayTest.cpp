@@ -68,7 +68,7 @@ TEST(JaggedArray, SpreadsListsWithoutChangingThem) {
 
 TEST(JaggedArray, InsertsAndErasesAnywhere) {
   JaggedArray<int> lists = longAndShort();
-  for (const auto& [position, element] : {std::pair<std::size_t, int>{0, 5}, {2, 7}, {1, 6}}) 
+  for (const auto& [position, element] : {std::pair<std::size_t, int>{0, 5}, {2, 7}, {1, 6}})
     lists.insert(1, position, element, 1);
   EXPECT_EQ(listsOf(lists)[1], (std::vector<int>{5, 6, 1, 7}));
   lists.erase(1, 2);

@@ -27,7 +27,8 @@ TEST(MarkedAgents, AreExtractedInAscendingOrderWhicheverThreadMarkedThem) {
     for (const Index i : expected)
       if (i % 2 == 1) odd.push_back(i);
     const auto markAll = [&] {
-      forEachInChunks(expected.size(), [&](std::size_t k) { marked.mark(expected[expected.size() - 1 - k]); });
+      forEachInChunks(expected.size(),
+                      [&](std::size_t k) { marked.mark(expected[expected.size() - 1 - k]); });
     };
     markAll();
     EXPECT_EQ(marked.extract(any), expected) << count;

@@ -38,9 +38,7 @@ struct Pairs {
     all = indicesOf(heap.agents);
     build(skin);
   }
-  void build(double skin) {
-    list.build(heap.agents, ForceField(ofLaw("hertz")).range(skin));
-  }
+  void build(double skin) { list.build(heap.agents, ForceField(ofLaw("hertz")).range(skin)); }
   PairSource source() const { return {list, heap.bonds, heap.agents.flags, true}; }
 
   std::vector<AgentLoad> plainLoads(const ContactLaw& law, const MechanicsParameters& p) const {
@@ -95,11 +93,11 @@ double largestForce(std::span<const AgentLoad> loads) {
 void expectNear(std::span<const AgentLoad> loads, std::span<const AgentLoad> expected, double ofLargest,
                 double ofStiffness, std::string_view law) {
   const double largest = largestForce(expected);
-  double pressure = 0;
-  for (const AgentLoad& load : expected) pressure = std::max(pressure, std::abs(load.pressure));
+  double stress = 0;
+  for (const AgentLoad& load : expected) stress = std::max(stress, std::abs(load.stress));
   for (std::size_t i = 0; i < loads.size(); ++i) {
     EXPECT_LT((loads[i].force() - expected[i].force()).norm(), ofLargest * largest) << law << ' ' << i;
-    EXPECT_NEAR(loads[i].pressure, expected[i].pressure, ofLargest * pressure) << law << ' ' << i;
+    EXPECT_NEAR(loads[i].stress, expected[i].stress, ofLargest * stress) << law << ' ' << i;
     EXPECT_NEAR(loads[i].stiffness, expected[i].stiffness, ofStiffness * expected[i].stiffness)
         << law << ' ' << i;
   }
@@ -109,7 +107,7 @@ void expectSameBits(std::span<const AgentLoad> a, std::span<const AgentLoad> b) 
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
     ASSERT_EQ(a[k].force(), b[k].force()) << k;
-    ASSERT_EQ(a[k].pressure, b[k].pressure) << k;
+    ASSERT_EQ(a[k].stress, b[k].stress) << k;
     ASSERT_EQ(a[k].stiffness, b[k].stiffness) << k;
   }
 }

@@ -82,9 +82,9 @@ TEST(Relaxation, LeavesFixedAgentsThePressureOfTheirPlaceToo) {
       relaxation.relaxAgain(block.agents, block.bonds, {});
       const auto loads = ForceField(p.forces).evaluate(block.agents, block.bonds);
       double largest = 0;
-      for (const AgentLoad& load : loads) largest = std::max(largest, std::abs(load.pressure));
+      for (const AgentLoad& load : loads) largest = std::max(largest, std::abs(load.stress));
       for (Index i = 0; i < block.agents.size(); ++i)
-        ASSERT_NEAR(block.agents.pressure[i], loads[i].pressure, 1e-5 * largest) << precision << " " << i;
+        ASSERT_NEAR(block.agents.stress[i], loads[i].stress, 1e-5 * largest) << precision << " " << i;
     };
     expectPressures();
     block.agents.radius[block.agents.size() / 10] *= 1.2;
@@ -132,7 +132,7 @@ TEST(Relaxation, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.agents.x, three.agents.x);
   EXPECT_EQ(one.agents.y, three.agents.y);
   EXPECT_EQ(one.agents.z, three.agents.z);
-  EXPECT_EQ(one.agents.pressure, three.agents.pressure);
+  EXPECT_EQ(one.agents.stress, three.agents.stress);
 }
 
 TEST(Relaxation, DoesNotDependOnWhatWasRelaxedBefore) {
@@ -203,7 +203,7 @@ TEST(Relaxation, AgainIsTheSameAsAnew) {
                   .relax(fresh.agents, fresh.bonds, constraints)
                   .agentEvaluations;
       ASSERT_EQ(largestDifference(agents, fresh.agents), 0) << precision << ", step " << step;
-      ASSERT_EQ(agents.pressure, fresh.agents.pressure) << precision << ", step " << step;
+      ASSERT_EQ(agents.stress, fresh.agents.stress) << precision << ", step " << step;
     }
     EXPECT_LT(again, anew);
   }

@@ -80,8 +80,8 @@ TEST_P(EveryDesign, SpheresFillTheBoxesWithoutNotchesOrLeaks) {
     for (const double w : {-30e-6, 0.0, 30e-6}) {
       const Vec3 place = 0.5 * (segment.a + segment.b) + w * across + 30e-6 * segment.radial;
       double nearest = 1;
-      grid.forEachCandidate(
-          place, 40e-6, [&](Index n) { nearest = std::min(nearest, (stent.centre(n) - place).norm()); });
+      grid.forEachCandidate(place, 40e-6,
+                            [&](Index n) { nearest = std::min(nearest, (stent.centre(n) - place).norm()); });
       ASSERT_LT(nearest, 13e-6);
     }
   }

@@ -22,7 +22,7 @@ AgentStore twoAgents() {
   agents.append(AgentKind::strut, {0, 0, 5e-4}, 22e-6);
   agents.state[0] = CycleState::sg2m;
   agents.set(0, covered, true), agents.set(0, daughter, true);
-  agents.pressure[0] = -1234.5, agents.nitricOxide[0] = 0.0025, agents.wss[0] = 1.6;
+  agents.stress[0] = -1234.5, agents.nitricOxide[0] = 0.0025, agents.wss[0] = 1.6;
   return agents;
 }
 

@@ -44,7 +44,7 @@ struct PackedBlock : testing::TestWithParam<std::string_view> {
   void relax(AgentStore& agents, std::span<const Constraint* const> within = {}) {
     bonds.resize(agents.size());
     Relaxation(parameters, settings, r).relax(agents, bonds, within);
-    ForceField(parameters).setPressures(agents, bonds);
+    ForceField(parameters).setStresses(agents, bonds);
   }
 
   MechanicsParameters parameters;
@@ -89,8 +89,8 @@ TEST_P(PackedBlock, ALatticeHasThePressureAndTheBulkModulusOfItsContacts) {
     const double expected = 2 * std::sqrt(2.0) * force(D) / (D * D);
     const double volume = D * D * D / std::sqrt(2.0), sphere = 4.0 / 3.0 * pi * r * r * r;
     for (const Index i : lattice.within)
-      EXPECT_NEAR(lattice.agents.pressure[i] * sphere / volume / expected, 1, 1e-5);
-    return lattice.agents.pressure[lattice.within.front()] * sphere / volume;
+      EXPECT_NEAR(lattice.agents.stress[i] * sphere / volume / expected, 1, 1e-5);
+    return lattice.agents.stress[lattice.within.front()] * sphere / volume;
   };
   const double D = 1.9 * r, change = 1e-3;
   const double measured = (pressure(D * (1 - change)) - pressure(D * (1 + change))) / (3 * 2 * change);
@@ -140,7 +140,7 @@ class Box : public Constraint {
 /// Three times the pressure times the volume [J] of the cells `within`: the virial.
 double virial(const AgentStore& agents, const std::vector<Index>& within) {
   double sum = 0;
-  for (const Index i : within) sum += 3 * agents.pressure[i] * 4.0 / 3.0 * pi * std::pow(agents.radius[i], 3);
+  for (const Index i : within) sum += 3 * agents.stress[i] * 4.0 / 3.0 * pi * std::pow(agents.radius[i], 3);
   return sum;
 }
 

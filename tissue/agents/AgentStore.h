@@ -8,7 +8,7 @@
 namespace restenosis {
 
 using Vec3 = Eigen::Vector3d;
-using AgentId = std::uint64_t;  ///< stable name of an agent, never reused
+using AgentId = std::uint64_t;  ///< identifies an agent for ever, never reused
 using Index = std::uint32_t;    ///< position in the store; changes when the store is reordered
 
 /// What an agent is. `strut` agents are obstacles: they are moved by deployment only.
@@ -43,7 +43,7 @@ struct AgentStore {
       generation;           ///< divisions since the packed wall; keys random numbers of a cell's cycle
   std::vector<double> wss;  ///< wall shear stress received [Pa]
   std::vector<double> nitricOxide;  ///< [nmol/mm^3]
-  std::vector<double> pressure;     ///< structural stress: minus a third of the virial's trace [Pa]
+  std::vector<double> stress;       ///< minus a third of the trace of its virial stress [Pa]
   AgentId nextId = 0;
 
   Index size() const { return static_cast<Index>(x.size()); }
@@ -54,7 +54,7 @@ struct AgentStore {
     flags[i] = static_cast<std::uint8_t>(on ? flags[i] | flag : flags[i] & ~flag);
   }
 
-  /// Makes room for so many agents.
+  /// Reserves memory for so many agents.
   void reserve(Index agents);
   /// Appends an agent at rest (G0, no flags) with a fresh id and returns its index.
   Index append(AgentKind kind, const Vec3& position, double radius);
@@ -67,14 +67,14 @@ struct AgentStore {
   template <class Archive>
   void archive(Archive& a) {
     a(id, x, y, z, radius, kind, state, flags, clock, g1Duration, birthRadius, generation, wss, nitricOxide,
-      pressure, nextId);
+      stress, nextId);
   }
 
  private:
   template <class F>
   void forEachArray(F&& f) {
     f(id), f(x), f(y), f(z), f(radius), f(kind), f(state), f(flags), f(clock), f(g1Duration), f(birthRadius),
-        f(generation), f(wss), f(nitricOxide), f(pressure);
+        f(generation), f(wss), f(nitricOxide), f(stress);
   }
 };
 

@@ -17,7 +17,7 @@ struct Bond {
 
 /// Bonds between agents, at most twelve an agent (ISR3D). Every bond is stored at both of its ends, and an
 /// agent's bonds are sorted by partner, so that sums over them have one order. Those without bonds, as the
-/// daughters of a growing wall, take next to no memory.
+/// daughters of a growing wall, need next to no memory.
 class BondTable {
  public:
   static constexpr std::size_t maxBonds = 12;
@@ -50,7 +50,7 @@ class BondTable {
  private:
   void insert(Index agent, Bond bond);
   void remove(Index agent, Index partner);
-  /// Afterwards agent k has the bonds of agent agents[k], whose partners have the index newIndex[partner] now.
+  /// Afterwards agent k has the bonds of agent agents[k], their partners with the index newIndex[partner].
   void select(std::span<const Index> agents, std::span<const Index> newIndex);
 
   JaggedArray<Bond> lists_;

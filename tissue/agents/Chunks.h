@@ -14,27 +14,27 @@
 
 namespace restenosis {
 
-/// Loops over fixed pieces of a range: the pieces, and with them the order of every sum, do not depend on the
+/// Loops over fixed chunks of a range: the chunks, and with them the order of every sum, do not depend on the
 /// number of threads.
 inline constexpr std::ptrdiff_t chunkSize = 256;
 
-/// Shorter loops are not worth waking other threads for: those over work, those that only look, and those in
-/// which each element takes microseconds, which also need smaller pieces to keep all threads at work.
-inline constexpr std::ptrdiff_t parallelFrom = 2048, parallelLookFrom = 16384;
+/// Shorter loops are not worth waking other threads for: those over work, those that only test elements, and
+/// those in which each element costs microseconds, which also need smaller chunks to keep all threads busy.
+inline constexpr std::ptrdiff_t parallelFrom = 2048, parallelTestFrom = 16384;
 inline constexpr std::ptrdiff_t parallelHeavyFrom = 512, heavyChunkSize = 64;
 
-/// Calls f(begin, end) for the pieces [begin, end) of [0, count), in parallel where count >= from. Every
-/// thread takes the pieces of its own share first, in order, then what is left of the others': what one loop
-/// brought into a core's cache the next finds there, and nobody waits for a core that has other work.
+/// Calls f(begin, end) for the chunks [begin, end) of [0, count), in parallel where count >= from. Every
+/// thread does the chunks of its own share first, in order, then what is left of the others': what one loop
+/// brought into a core's cache the next finds there, and no thread waits for a core that has other work.
 template <class F>
-void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom,
+void forEachChunk(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom,
                   std::ptrdiff_t size = chunkSize) {
-  const auto all = static_cast<std::ptrdiff_t>(count), pieces = (all + size - 1) / size;
-  const auto take = [&](std::ptrdiff_t piece) {
-    f(static_cast<std::size_t>(piece * size), static_cast<std::size_t>(std::min(all, (piece + 1) * size)));
+  const auto all = static_cast<std::ptrdiff_t>(count), chunks = (all + size - 1) / size;
+  const auto run = [&](std::ptrdiff_t chunk) {
+    f(static_cast<std::size_t>(chunk * size), static_cast<std::size_t>(std::min(all, (chunk + 1) * size)));
   };
   if (all < from || omp_get_max_threads() == 1) {
-    for (std::ptrdiff_t piece = 0; piece < pieces; ++piece) take(piece);
+    for (std::ptrdiff_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
     return;
   }
   struct alignas(64) Share {
@@ -44,37 +44,37 @@ void forEachPiece(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom,
   std::vector<Share> shares(static_cast<std::size_t>(omp_get_max_threads()));
   const auto threads = static_cast<std::ptrdiff_t>(shares.size());
   for (std::ptrdiff_t t = 0; t < threads; ++t) {
-    shares[t].next = pieces * t / threads;
-    shares[t].end = pieces * (t + 1) / threads;
+    shares[t].next = chunks * t / threads;
+    shares[t].end = chunks * (t + 1) / threads;
   }
 #pragma omp parallel
   for (std::ptrdiff_t n = 0; n < threads; ++n) {
     Share& share = shares[(omp_get_thread_num() + n) % threads];
-    for (std::ptrdiff_t piece; (piece = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
-      take(piece);
+    for (std::ptrdiff_t chunk; (chunk = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
+      run(chunk);
   }
 }
 
-/// The same for elements that each take microseconds.
+/// The same for elements that each cost microseconds.
 template <class F>
-void forEachHeavyPiece(std::size_t count, F&& f) {
-  forEachPiece(count, std::forward<F>(f), parallelHeavyFrom, heavyChunkSize);
+void forEachHeavyChunk(std::size_t count, F&& f) {
+  forEachChunk(count, std::forward<F>(f), parallelHeavyFrom, heavyChunkSize);
 }
 
-/// Calls f(k) for k in [0, count), pieces in parallel.
+/// Calls f(k) for k in [0, count), chunks in parallel.
 template <class F>
 void forEachInChunks(std::size_t count, F&& f) {
-  forEachPiece(count, [&](std::size_t begin, std::size_t end) {
+  forEachChunk(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) f(k);
   });
 }
 
-/// Lets f(begin, end, part) add elements [begin, end) to the `part` of a piece, then joins the parts in
-/// order: total.join(part).
+/// A reduction: lets f(begin, end, part) add elements [begin, end) to the `part` of a chunk, then joins the
+/// parts in order: total.join(part).
 template <class Sum, class F>
-Sum reducePieces(std::size_t count, F&& f) {
+Sum reduceChunks(std::size_t count, F&& f) {
   std::vector<Sum> parts((count + chunkSize - 1) / chunkSize);
-  forEachPiece(count, [&](std::size_t begin, std::size_t end) {
+  forEachChunk(count, [&](std::size_t begin, std::size_t end) {
     Sum part{};
     f(begin, end, part);
     parts[begin / chunkSize] = part;
@@ -84,29 +84,29 @@ Sum reducePieces(std::size_t count, F&& f) {
   return total;
 }
 
-/// Lets f(k, part) add element k to the `part` of its piece, then joins the parts in order: total.join(part).
+/// The same where f(k, part) adds element k to the `part` of its chunk.
 template <class Sum, class F>
 Sum reduceInChunks(std::size_t count, F&& f) {
-  return reducePieces<Sum>(count, [&](std::size_t begin, std::size_t end, Sum& part) {
+  return reduceChunks<Sum>(count, [&](std::size_t begin, std::size_t end, Sum& part) {
     for (std::size_t k = begin; k < end; ++k) f(k, part);
   });
 }
 
-/// What the pieces of [0, count) have to tell, one after the other: f(begin, end, told) appends to `told`.
-template <class Told = Index, class F>
-std::vector<Told> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
-  std::vector<std::vector<Told>> parts((count + chunkSize - 1) / chunkSize);
-  forEachPiece(
+/// Concatenates what f(begin, end, found) appends to `found` for each chunk of [0, count).
+template <class Found = Index, class F>
+std::vector<Found> gatherChunks(std::size_t count, F&& f, std::ptrdiff_t from = parallelFrom) {
+  std::vector<std::vector<Found>> parts((count + chunkSize - 1) / chunkSize);
+  forEachChunk(
       count,
       [&](std::size_t begin, std::size_t end) {
-        std::vector<Told> told;  // one of its own: those in `parts` share cache lines
-        f(begin, end, told);
-        parts[begin / chunkSize] = std::move(told);
+        std::vector<Found> found;  // one of its own: those in `parts` share cache lines
+        f(begin, end, found);
+        parts[begin / chunkSize] = std::move(found);
       },
       from);
   std::size_t size = 0;
   for (const auto& part : parts) size += part.size();
-  std::vector<Told> all;
+  std::vector<Found> all;
   all.reserve(size);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -115,7 +115,7 @@ std::vector<Told> gatherPieces(std::size_t count, F&& f, std::ptrdiff_t from = p
 /// Those agentAt(k), k in [0, count), that are wanted(i), in their order.
 template <class AgentAt, class Wanted>
 std::vector<Index> agentsAmong(std::size_t count, const AgentAt& agentAt, const Wanted& wanted) {
-  return gatherPieces(
+  return gatherChunks(
       count,
       [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
         std::array<Index, chunkSize> kept;
@@ -127,7 +127,7 @@ std::vector<Index> agentsAmong(std::size_t count, const AgentAt& agentAt, const 
         }
         found.assign(kept.data(), next);
       },
-      parallelLookFrom);
+      parallelTestFrom);
 }
 
 /// The agents of [0, count) that are wanted(i), in ascending order.

@@ -39,7 +39,7 @@ class PlainArray {
   T* end() { return data() + size_; }
   const T* end() const { return data() + size_; }
 
-  /// Makes room for so many elements. Throws std::bad_alloc.
+  /// Reserves memory for so many elements. Throws std::bad_alloc.
   void reserve(std::size_t count) {
     if (count <= capacity_) return;
     if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();

@@ -22,7 +22,7 @@ void ReadingArchive::bytes(void* data, std::size_t size) {
 }
 
 void ReadingArchive::checkSize(std::uint64_t size) const {
-  // Every stored element takes at least one byte, so a larger count can only be damage.
+  // Every stored element has at least one byte, so a larger count can only be damage.
   if (size > buffer_.size() - position_) throw ArchiveTruncated("the stored state ends too early");
 }
 

@@ -108,7 +108,7 @@ class WritingArchive : public StateArchive<WritingArchive> {
   std::string buffer_;
 };
 
-/// Hands a state to a function, piece by piece, without a copy of it.
+/// Passes a state to a function, part by part, without a copy of it.
 class StreamingArchive : public StateArchive<StreamingArchive> {
  public:
   using Sink = std::function<void(std::string_view)>;

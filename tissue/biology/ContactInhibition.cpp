@@ -46,7 +46,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
     for (const Index i : fresh) due[i] = 1;
     const MirroredNeighbours neighbours(reference_.shapes(), range_, vesselLength_);
     const auto markAround = [&](const MirroredNeighbours& those, double range) {
-      forEachHeavyPiece(places.size(), [&](std::size_t begin, std::size_t end) {
+      forEachHeavyChunk(places.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const auto [centre, radius] = places[k];
           those.forEachWithin(range, centre, radius, [&](const MirroredNeighbours::Found& near) {
@@ -63,7 +63,7 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
       markAround(MirroredNeighbours(reference_.shapes(), uncovered, range_, vesselLength_), range_);
     }
     cells = agentsThat(agents.size(), [&](Index i) { return due[i] && couldUse(agents, i); });
-    forEachHeavyPiece(cells.size(), [&](std::size_t begin, std::size_t end) {
+    forEachHeavyChunk(cells.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<ContactNeighbour> scratch;
       for (std::size_t k = begin; k < end; ++k) marks[cells[k]] = marksOf(neighbours, cells[k], scratch);
     });

@@ -37,7 +37,7 @@ void Division::divide(AgentStore& agents, BondTable& bonds, std::span<const Inde
     agents.generation[born] = agents.generation[mother];
     agents.wss[born] = agents.wss[mother];
     agents.nitricOxide[born] = agents.nitricOxide[mother];
-    agents.pressure[born] = agents.pressure[mother];
+    agents.stress[born] = agents.stress[mother];
   }
   bonds.resize(agents.size());
 }

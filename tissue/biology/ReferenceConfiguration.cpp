@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "tissue/agents/Chunks.h"
 #include "tissue/agents/Capacity.h"
+#include "tissue/agents/Chunks.h"
 
 namespace restenosis {
 

@@ -4,7 +4,7 @@ namespace restenosis {
 
 void ActiveChunk::setForce(std::size_t k, const AgentForce& force) {
   fx[k] = force.fx, fy[k] = force.fy, fz[k] = force.fz;
-  stiffness[k] = force.stiffness, residual[k] = force.residual, pressure[k] = force.pressure;
+  stiffness[k] = force.stiffness, residual[k] = force.residual, stress[k] = force.stress;
 }
 
 void ActiveChunk::set(std::size_t k, AgentKind ofKind, const Vec3& position, double ofRadius) {

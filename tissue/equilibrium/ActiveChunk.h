@@ -14,14 +14,14 @@ struct AgentForce {
   float fx = 0, fy = 0, fz = 0;  ///< force, without what constraints carry of it [N]
   float stiffness = 1;           ///< sum of the slopes of its pair forces, above 0 [N/m]
   float residual = 0;            ///< how far the force would still move it: force / stiffness / radius
-  float pressure = 0;            ///< AgentLoad::pressure [Pa]
+  float stress = 0;              ///< AgentLoad::stress [Pa]
 };
 
 /// Up to `capacity` agents of the active set as a structure of arrays: all that a step reads and writes of
 /// them. Loops compute several at once and go on to the end of the last lanes, which fillLanes() fills.
 ///
 /// Positions are in double precision, for forces are differences of pair forces. The step that leads there
-/// need not be: a step whose length errs by 10^-7 of itself is as good.
+/// need not be: a step with a length that errs by 10^-7 of itself is as good.
 struct alignas(64) ActiveChunk {
   static constexpr std::size_t capacity = chunkSize;
   static constexpr std::size_t lanes = 8;
@@ -29,14 +29,14 @@ struct alignas(64) ActiveChunk {
   using Doubles = std::array<double, capacity>;
   using Floats = std::array<float, capacity>;
 
-  Doubles x, y, z;          ///< [m]
-  Floats vx, vy, vz;        ///< velocity, the minimiser's own
-  Floats fx, fy, fz;        ///< AgentForce
-  Floats stiffness;         ///< AgentForce [N/m]
-  Floats residual;          ///< AgentForce
-  Floats pressure;          ///< AgentForce [Pa]
-  Floats radius;            ///< [m]
-  Floats listMargin;        ///< may move so far before the neighbour list is checked (NeighbourList::margin) [m]
+  Doubles x, y, z;    ///< [m]
+  Floats vx, vy, vz;  ///< velocity, the minimiser's own
+  Floats fx, fy, fz;  ///< AgentForce
+  Floats stiffness;   ///< AgentForce [N/m]
+  Floats residual;    ///< AgentForce
+  Floats stress;      ///< AgentForce [Pa]
+  Floats radius;      ///< [m]
+  Floats listMargin;  ///< may move so far before the neighbour list is checked (NeighbourList::margin) [m]
   Floats constraintMargin;  ///< may move so far before a constraint acts (Constraint::margin) [m]
   Floats path;              ///< length of its path since it became active or was last verified [m]
   Floats unreviewed;        ///< the same since its neighbours were last reviewed [m]
@@ -47,7 +47,7 @@ struct alignas(64) ActiveChunk {
 
   Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
   AgentForce force(std::size_t k) const {
-    return {fx[k], fy[k], fz[k], stiffness[k], residual[k], pressure[k]};
+    return {fx[k], fy[k], fz[k], stiffness[k], residual[k], stress[k]};
   }
   void setForce(std::size_t k, const AgentForce& force);
   /// Makes the k-th an agent at rest, without forces and margins.

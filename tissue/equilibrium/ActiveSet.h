@@ -41,26 +41,26 @@ class ActiveSet {
     });
     fillLastLanes();
   }
-  /// Removes the agents whose entry in `keep`, by place, is 0.
+  /// Removes the agents with an entry of 0 in `keep`, by place.
   void keepOnly(std::span<const std::uint8_t> keep);
 
   /// Calls f(chunk, agents, first) for each chunk, its agents and the place of the first, in parallel.
   template <class F>
-  void forEachChunk(const F& f) {
-    forEachPiece(size(),
+  void forEach(const F& f) {
+    forEachChunk(size(),
                  [&](std::size_t begin, std::size_t end) { f(chunkOf(begin), slice(begin, end), begin); });
   }
   /// Lets f(chunk, agents, part) add each chunk to a Sum of its own, then joins these in order.
   template <class Sum, class F>
   Sum reduce(const F& f) const {
-    return reducePieces<Sum>(size(), [&](std::size_t begin, std::size_t end, Sum& part) {
+    return reduceChunks<Sum>(size(), [&](std::size_t begin, std::size_t end, Sum& part) {
       f(chunkOf(begin), slice(begin, end), part);
     });
   }
   /// Concatenates what f(chunk, agents, first, found) appends to `found`.
   template <class F>
   std::vector<Index> gather(const F& f) {
-    return gatherPieces(size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+    return gatherChunks(size(), [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
       f(chunkOf(begin), slice(begin, end), begin, found);
     });
   }

@@ -9,7 +9,7 @@ namespace restenosis {
 class Constraint {
  public:
   /// An agent this close to a curved surface, over its distance from the axis, counts as on it. Sliding along
-  /// takes it off by a little, and the force that presses it on would count as a residual, which comes and
+  /// moves it off by a little, and the force that presses it on would count as a residual, which comes and
   /// goes with every move. A nanometre in a coronary artery.
   static constexpr double onSurface = 1e-6;
 

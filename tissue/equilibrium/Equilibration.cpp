@@ -140,7 +140,7 @@ void Equilibration::updateNeighbours(std::span<const Index> smallMargins) {
 bool Equilibration::review() {
   if (active_.size() == free_.size()) return false;
   const auto wanted = [this](Index j) { return !active_.contains(j) && forces_.isFree(j); };
-  active_.forEachChunk([&](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
+  active_.forEach([&](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
     const auto tolerance = static_cast<float>(parameters_.tolerance);
     for (std::size_t k = 0; k < agents.size(); ++k) {
       if (chunk.unreviewed[k] < pathUntilReview * tolerance * chunk.radius[k]) continue;
@@ -159,7 +159,7 @@ bool Equilibration::review() {
 
 bool Equilibration::verify() {
   forEachInChunks(active_.size(), [this](std::size_t place) { forces_.store(active_, place); });
-  active_.forEachChunk([this](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
+  active_.forEach([this](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
     for (std::size_t k = 0; k < agents.size(); ++k) {
       forces_.markAround(agents[k], chunk.path[k]);
       chunk.path[k] = 0;
@@ -211,7 +211,7 @@ void Equilibration::activate(std::span<const Index> agents, std::span<const Agen
 void Equilibration::deactivateConverged() {
   if (!mayDeactivate()) return;
   std::vector<std::uint8_t> keep(active_.size());
-  active_.forEachChunk([&](const ActiveChunk& chunk, std::span<const Index> agents, std::size_t first) {
+  active_.forEach([&](const ActiveChunk& chunk, std::span<const Index> agents, std::size_t first) {
     for (std::size_t k = 0; k < agents.size(); ++k) keep[first + k] = !(chunk.residual[k] <= aim_);
   });
   std::vector<std::size_t> leaving;

@@ -44,7 +44,7 @@ class Equilibration {
   /// Moves the active agents by a step of the minimiser.
   void step();
   /// Moves the agents of a chunk as far as constraints allow; appends the places, from `first` on, of those
-  /// whose margin to the next update of the neighbour list is small.
+  /// that have a small margin to the next update of the neighbour list.
   void move(ActiveChunk& chunk, std::span<const Index> agents, const Moves& moves, std::size_t first,
             std::vector<Index>& small);
   void updateNeighbours(std::span<const Index> smallMargins);
@@ -78,9 +78,9 @@ class Equilibration {
   ForceCache forces_;
   ActiveSet active_;
   std::unique_ptr<Minimiser> minimiser_;
-  std::vector<Index> free_;   ///< in ascending order
-  bool allForGood_ = false;   ///< whether no agent is to be deactivated in this run
-  MarkedAgents reviewed_;     ///< scratch of review()
+  std::vector<Index> free_;  ///< in ascending order
+  bool allForGood_ = false;  ///< whether no agent is to be deactivated in this run
+  MarkedAgents reviewed_;    ///< scratch of review()
 };
 
 }  // namespace restenosis

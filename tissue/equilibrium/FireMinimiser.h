@@ -9,7 +9,7 @@ namespace restenosis {
 /// - An agent's mass is the sum of the slopes of its pair forces, so that a soft contact and a stiff bond
 ///   follow at the same pace and the time step is a pure number: no eigenvalue is above 2.
 /// - An agent that moves against its force is slowed at once, and one that feels none is stopped. Otherwise
-///   FIRE, which looks at the sum over all agents only, flings cells that have lost contact (`docs/model`),
+///   FIRE, which has the sum over all agents only, flings cells that have lost contact (`docs/model`),
 ///   and lets single ones swing long after the rest has settled.
 /// - Steering is bounded by what the stiffest agents bear. Unbounded it makes them swing while soft parts
 ///   drift, which holds the residual above a small tolerance.

@@ -99,7 +99,7 @@ void ForceCache::store(const ActiveSet& active, std::size_t place) {
   const ActiveChunk& chunk = active.chunkOf(place);
   const std::size_t k = ActiveSet::inChunk(place);
   agents_.setPosition(i, chunk.position(k));
-  agents_.pressure[i] = chunk.pressure[k];
+  agents_.stress[i] = chunk.stress[k];
   residual_[i] = chunk.residual[k];
 }
 
@@ -127,11 +127,10 @@ void ForceCache::setForces(ActiveChunk& chunk, std::span<const AgentLoad> loads)
     chunk.fy[k] = static_cast<float>(force.y());
     chunk.fz[k] = static_cast<float>(force.z());
     chunk.stiffness[k] = static_cast<float>(std::max(settings_.leastStiffness, loads[k].stiffness));
-    chunk.pressure[k] = static_cast<float>(loads[k].pressure);
+    chunk.stress[k] = static_cast<float>(loads[k].stress);
   }
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    const float squared =
-        chunk.fx[k] * chunk.fx[k] + chunk.fy[k] * chunk.fy[k] + chunk.fz[k] * chunk.fz[k];
+    const float squared = chunk.fx[k] * chunk.fx[k] + chunk.fy[k] * chunk.fy[k] + chunk.fz[k] * chunk.fz[k];
     chunk.residual[k] = std::sqrt(squared) / (chunk.stiffness[k] * chunk.radius[k]);
   }
 }
@@ -140,7 +139,7 @@ template <class ChunkOf, class Done>
 void ForceCache::evaluateChunks(std::span<const Index> agents, const ChunkOf& chunkOf, const Done& done) {
   First bad;
   spheres_.visit([&](const auto& spheres) {
-    bad = reducePieces<First>(agents.size(), [&](std::size_t begin, std::size_t end, First& part) {
+    bad = reduceChunks<First>(agents.size(), [&](std::size_t begin, std::size_t end, First& part) {
       const auto ofChunk = agents.subspan(begin, end - begin);
       ActiveChunk& chunk = chunkOf(begin, ofChunk);
       if (!chunk.pairsCurrent)
@@ -182,7 +181,7 @@ std::vector<AgentForce> ForceCache::evaluate(std::span<const Index> agents) {
   };
   const auto keep = [&](std::size_t begin, const ActiveChunk& chunk, std::span<const Index> ofChunk) {
     for (std::size_t k = 0; k < ofChunk.size(); ++k) {
-      agents_.pressure[ofChunk[k]] = chunk.pressure[k];
+      agents_.stress[ofChunk[k]] = chunk.stress[k];
       residual_[ofChunk[k]] = chunk.residual[k];
       forces[begin + k] = chunk.force(k);
     }
@@ -211,8 +210,7 @@ void ForceCache::checkPrecision(std::span<const Index> moved) {
 }
 
 std::vector<Index> ForceCache::extractStale(const ActiveSet& active) {
-  return stale_.extract(
-      [&](Index i) { return !active.contains(i) && agents_.kind[i] != AgentKind::strut; });
+  return stale_.extract([&](Index i) { return !active.contains(i) && agents_.kind[i] != AgentKind::strut; });
 }
 
 }  // namespace restenosis

@@ -51,17 +51,17 @@ class ForceCache {
 
   /// An active agent, of this radius, is here now.
   void move(Index i, const Vec3& position, float radius) { spheres_.move(i, position, radius); }
-  /// Writes the place-th agent to the store: its position and pressure, and its residual.
+  /// Writes the place-th agent to the store: its position and stress, and its residual.
   void store(const ActiveSet& active, std::size_t place);
   /// Brings the neighbour list up to date. All active agents have been stored; `moved` are, in ascending
-  /// order, those whose margin is small (NeighbourList::smallMargin).
+  /// order, those of a small margin (NeighbourList::smallMargin).
   void updateNeighbours(ActiveSet& active, std::span<const Index> moved);
 
   /// Evaluates the forces on all active agents. Throws std::runtime_error naming an agent on which the force
   /// is not finite.
   void evaluate(ActiveSet& active);
   /// Evaluates the forces on these agents, in ascending order and none of them active, and sets their
-  /// pressures. Throws likewise.
+  /// stresses. Throws likewise.
   std::vector<AgentForce> evaluate(std::span<const Index> agents);
 
   /// Whether the pair of agent i, at this position, and agent j acts, or may have acted before i moved by

@@ -23,8 +23,8 @@ struct StepTotals {
   }
 };
 
-/// A method of reaching equilibrium. Every agent takes one step towards smaller forces: total() for all, begin(),
-/// then step() for all.
+/// A method of reaching equilibrium. Every agent makes one step towards smaller forces: total() for all,
+/// begin(), then step() for all.
 ///
 /// The axial part of every force counts `axialForceFactor` times (T6): the axial mobility. It changes the
 /// path, not the equilibrium.

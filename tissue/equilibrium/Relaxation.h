@@ -50,7 +50,7 @@ class Relaxation {
   void setCallback(std::function<void()> beforeIteration) { beforeIteration_ = std::move(beforeIteration); }
 
   /// Relaxes in place. `constraints` may be empty. Flags `fixed` and kind `strut` are never moved. Updates
-  /// AgentStore::pressure of the agents it evaluated.
+  /// AgentStore::stress of the agents it evaluated.
   RelaxationReport relax(AgentStore& agents, const BondTable& bonds,
                          std::span<const Constraint* const> constraints);
 
@@ -74,7 +74,7 @@ class Relaxation {
   ForceField field_;
   double contactModulus_;
   double referenceRadius_;
-  NeighbourList neighbours_;                         ///< kept between relaxations: speed only
+  NeighbourList neighbours_;                            ///< kept between relaxations: speed only
   std::unique_ptr<class Equilibration> equilibration_;  ///< kept for relaxAgain: speed only
 };
 

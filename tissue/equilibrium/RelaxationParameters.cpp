@@ -8,12 +8,11 @@ void RelaxationParameters::describe(ParameterVisitor& p) {
   p.choice(minimiser, minimiserNames(),
            {.key = "minimiser",
             .source = "assumed",
-            .description = "way to the equilibrium: FIRE, or T6's overdamped motion"});
-  p.choice(
-      precision, {"automatic", "mixed", "double"},
-      {.key = "precision",
-       .source = "assumed",
-       .description = "of forces on the way to equilibrium; automatic: mixed from a tolerance of 5e-5 on"});
+            .description = "method of reaching equilibrium: FIRE, or T6's overdamped motion"});
+  p.choice(precision, {"automatic", "mixed", "double"},
+           {.key = "precision",
+            .source = "assumed",
+            .description = "of forces; automatic: mixed from a tolerance of 5e-5 on"});
   p.quantity(tolerance,
              {.key = "tolerance",
               .minimum = 1e-9,

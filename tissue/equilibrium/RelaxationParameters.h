@@ -15,7 +15,7 @@ struct RelaxationParameters {
   std::string minimiser = "fire";
   double tolerance = 0.001;               ///< how far a force left may still move its agent, over its radius
   bool activeSet = true;                  ///< move only agents that a disturbance reaches
-  std::string precision = "automatic";    ///< of the forces on the way to equilibrium
+  std::string precision = "automatic";    ///< of the forces
   double axialForceFactor = 2.0;          ///< T6's factor on axial forces: a mobility
   double stepLimit = 0.05;                ///< largest move of an agent in one step, over its radius
   std::int64_t maximumIterations = 5000;  ///< of one relaxation

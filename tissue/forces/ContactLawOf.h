@@ -6,7 +6,7 @@
 
 namespace restenosis {
 
-/// The row of a contact law in the table: a class with the members that HertzContact has.
+/// The entry of a contact law in the table: a class with the members that HertzContact has.
 template <class Law>
 constexpr ContactLaw contactLawOf() {
   return {Law::name,

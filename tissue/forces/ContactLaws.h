@@ -9,7 +9,7 @@ namespace restenosis {
 
 /// One contact law in the table: the pair kernels compiled for it, so that no pair pays for the choice.
 struct ContactLaw {
-  /// Sets loads[k] for the k-th of `agents`, whose pairs are `list`; in the calling thread.
+  /// Sets loads[k] for the k-th of `agents`, which have the pairs `list`; in the calling thread.
   template <class Spheres>
   using Kernel = void (*)(const MechanicsParameters&, const Spheres&, const PairList& list,
                           std::span<const Index> agents, std::span<AgentLoad> loads);

@@ -38,7 +38,7 @@ std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const Bond
   neighbours.build(agents, range(0));
   const PairSource source = pairs(agents, neighbours, bonds);
   std::vector<AgentLoad> loads(agents.size());
-  forEachPiece(agents.size(), [&](std::size_t begin, std::size_t end) {
+  forEachChunk(agents.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Pair> ofAgent;
     for (std::size_t k = begin; k < end; ++k) {
       const auto i = static_cast<Index>(k);
@@ -50,10 +50,10 @@ std::vector<AgentLoad> ForceField::evaluate(const AgentStore& agents, const Bond
   return loads;
 }
 
-void ForceField::setPressures(AgentStore& agents, const BondTable& bonds) const {
+void ForceField::setStresses(AgentStore& agents, const BondTable& bonds) const {
   const std::vector<AgentLoad> loads = evaluate(agents, bonds);
   for (Index i = 0; i < agents.size(); ++i)
-    if (agents.kind[i] != AgentKind::strut) agents.pressure[i] = loads[i].pressure;
+    if (agents.kind[i] != AgentKind::strut) agents.stress[i] = loads[i].stress;
 }
 
 double ForceField::energy(const AgentStore& agents, const BondTable& bonds) const {

@@ -32,7 +32,7 @@ class ForceField {
   /// The pairs of a neighbour list and of bonds.
   PairSource pairs(const AgentStore& agents, const NeighbourList& neighbours, const BondTable& bonds) const;
 
-  /// Sets loads[k] for the k-th of `agents`, whose pairs are `list`. In the calling thread: for use in
+  /// Sets loads[k] for the k-th of `agents`, which have the pairs `list`. In the calling thread: for use in
   /// parallel loops.
   void evaluate(const ExactSpheres& spheres, const PairList& list, std::span<const Index> agents,
                 std::span<AgentLoad> loads) const;
@@ -42,8 +42,8 @@ class ForceField {
   /// Loads of all agents by the plain kernel. Makes its own neighbour list.
   std::vector<AgentLoad> evaluate(const AgentStore& agents, const BondTable& bonds) const;
 
-  /// Sets the pressures of all agents, but for struts, to those of their present positions.
-  void setPressures(AgentStore& agents, const BondTable& bonds) const;
+  /// Sets the stresses of all agents, but for struts, to those of their present positions.
+  void setStresses(AgentStore& agents, const BondTable& bonds) const;
 
   /// Energy of all contacts, bonds (taken across the axis) and cohesion [J].
   double energy(const AgentStore& agents, const BondTable& bonds) const;

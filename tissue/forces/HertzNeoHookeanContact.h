@@ -18,7 +18,8 @@ namespace restenosis {
 ///
 /// **Continuation.** From e = 0.85 (d = 4.01 R) on the force goes on linearly in d with the slope it has
 /// there, so that it stays finite, repulsive and monotone. Equal spheres reach d = 4 R at most, centres
-/// together, and never come to the continuation; spheres whose radii differ by more than about 1.1 : 1 can.
+/// together, and never come to the continuation; spheres with radii that differ by more than about 1.1 : 1
+/// can.
 class HertzNeoHookeanContact {
  public:
   static constexpr std::string_view name = "hertzNeoHookean";

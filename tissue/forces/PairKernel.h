@@ -32,7 +32,7 @@ class PairKernel {
         cohesion_{parameters.cohesionModulus, parameters.cohesionRange},
         attraction_{parameters.bondModulus, parameters.bondAxialFactor} {}
 
-  /// Sets loads[k] for the k-th of `agents`, whose pairs are `list`.
+  /// Sets loads[k] for the k-th of `agents`, which have the pairs `list`.
   void evaluate(const PairList& list, std::span<const Index> agents, std::span<AgentLoad> loads) const {
     std::array<Index, lanes> self;
     std::array<AgentLoad, lanes> ofLanes;
@@ -71,7 +71,7 @@ class PairKernel {
       spheres_.prefetch(entry.partner.data() + first % PairList::width);
   }
 
-  /// Sets the loads of those agents whose centre is that of a partner. Those of the others are left as they
+  /// Sets the loads of those agents that coincide with a partner. Those of the others are left as they
   /// are: no bit of them may depend on the agents of other lanes.
   void separate(std::span<const PairList::Entry> entries, std::size_t lane,
                 const std::array<Index, lanes>& self, const Values& nearest2,
@@ -82,11 +82,12 @@ class PairKernel {
       if (nearest2[k] == 0) loads[k] = separated[k];
   }
 
-  /// Sets the loads of the agents `self`, whose pairs begin at `lane`. Returns the square of the distance of
-  /// the nearest partner [m^2], or of a metre; where it is 0 the loads are right only if `separated` is set.
+  /// Sets the loads of the agents `self`, their pairs beginning at `lane`. Returns the square of the distance
+  /// of the nearest partner [m^2], or of a metre; where it is 0 the loads are right only if `separated` is
+  /// set.
   template <bool separated>
   Values sum(std::span<const PairList::Entry> entries, std::size_t lane, const std::array<Index, lanes>& self,
-           std::array<AgentLoad, lanes>& loads) const {
+             std::array<AgentLoad, lanes>& loads) const {
     const auto here = spheres_.at(self.data());
     const bool isotropic = attraction_.axialFactor == 1;
     Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};
@@ -152,7 +153,7 @@ class PairKernel {
   BondAttraction attraction_;
 };
 
-/// Sets loads[k] for the k-th of `agents`, whose pairs are `list`; in the calling thread.
+/// Sets loads[k] for the k-th of `agents`, which have the pairs `list`; in the calling thread.
 template <class Law, class Spheres>
 void evaluatePairs(const MechanicsParameters& parameters, const Spheres& spheres, const PairList& list,
                    std::span<const Index> agents, std::span<AgentLoad> loads) {

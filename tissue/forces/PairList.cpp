@@ -58,8 +58,7 @@ void PairList::build(const PairSource& source, std::span<const Index> agents, In
     const auto list = listOf(n);
     const auto column = std::span(entries_).subspan(start_[slice], start_[slice + 1] - start_[slice]);
     for (std::size_t m = 0; m < column.size(); ++m) {
-      const Pair pair =
-          m < list.size() ? list[m] : Pair{none, std::numeric_limits<float>::infinity()};
+      const Pair pair = m < list.size() ? list[m] : Pair{none, std::numeric_limits<float>::infinity()};
       column[m].partner[lane] = pair.partner;
       column[m].restLength[lane] = pair.restLength;
     }

@@ -11,15 +11,15 @@
 namespace restenosis {
 
 /// The pairs of up to `capacity` agents in the format of the pair kernel, sliced ELLPACK: a slice is `width`
-/// agents side by side, and its n-th entry holds the n-th pair of each. A slice is as long as the longest list
-/// of its agents, so agents are sorted by the length of theirs. The order of an agent's pairs is kept.
+/// agents side by side, and its n-th entry holds the n-th pair of each. A slice is as long as the longest
+/// list of its agents, so agents are sorted by the length of theirs. The order of an agent's pairs is kept.
 class PairList {
  public:
   static constexpr std::size_t capacity = 256;
   static constexpr std::size_t width = 16;
 
   struct alignas(64) Entry {
-    std::array<Index, width> partner;    ///< beyond the end of an agent's list: none
+    std::array<Index, width> partner;     ///< beyond the end of an agent's list: none
     std::array<float, width> restLength;  ///< as Pair::restLength
   };
 

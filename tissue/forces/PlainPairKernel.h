@@ -14,7 +14,7 @@
 
 namespace restenosis {
 
-/// The load of agent i, whose pairs are `pairs`: the reference of PairKernel, in double precision and one pair
+/// The load of agent i with these pairs: the reference of PairKernel, in double precision and one pair
 /// after the other.
 template <class Law>
 AgentLoad plainLoad(const MechanicsParameters& p, const AgentStore& agents, Index i,
@@ -50,7 +50,7 @@ AgentLoad plainLoad(const MechanicsParameters& p, const AgentStore& agents, Inde
     load.fx += push * direction.x(), load.fy += push * direction.y(), load.fz += push * direction.z();
     virial += push * distance;
   }
-  load.pressure = virial / (8 * std::numbers::pi * r * r * r);  // 2 (halves) x 3 (trace) x V
+  load.stress = virial / (8 * std::numbers::pi * r * r * r);  // 2 (halves) x 3 (trace) x V
   return load;
 }
 

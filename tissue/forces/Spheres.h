@@ -118,7 +118,7 @@ inline auto FixedSpheresOf<width>::eight(const Index* agents) const -> std::arra
     __builtin_memcpy(&h, &spheres_[agents[k]], sizeof h);
     return h;
   };
-  // Eight rows of four become four columns of eight.
+  // Transposes eight times four to four times eight.
   const auto pair = [&](int k) {
     return __builtin_shufflevector(half(k), half(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
   };

@@ -41,8 +41,8 @@ class CellGrid {
   /// The same agents as ranges [begin, end) of places in order(), for data kept in that order.
   template <class F>
   void forEachCandidateRange(const Vec3& point, double distance, F&& f) const {
-    lattice_.forEachRange(
-        point, distance, [&](std::int64_t begin, std::int64_t end) { f(start_[begin], start_[end]); });
+    lattice_.forEachRange(point, distance,
+                          [&](std::int64_t begin, std::int64_t end) { f(start_[begin], start_[end]); });
   }
 
   /// All agents, cell by cell.

@@ -84,7 +84,7 @@ class MirroredNeighbours {
     for (unsigned bits = bitsOf(squared <= reach * reach) & ((1U << count) - 1); bits != 0;
          bits &= bits - 1) {
       const std::uint32_t k = n + static_cast<std::uint32_t>(std::countr_zero(bits));
-      // Anew: reading it from the lanes would have to wait until they are stored
+      // Read again: from the lanes it would have to wait until they are stored
       const Vec3 offset = Vec3(x_.data()[k], y_.data()[k], z_.data()[k]) - centre;
       f(Found{.agent = agent_.data()[k],
               .radius = radius_.data()[k],

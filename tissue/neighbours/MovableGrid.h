@@ -10,8 +10,8 @@
 
 namespace restenosis {
 
-/// A cell list of points that move or are added, each at the same cost however many points there are. CellGrid
-/// is quicker to make and to search.
+/// A cell list of points that move or are added, each at the same cost however many points there are.
+/// CellGrid is quicker to make and to search.
 class MovableGrid {
  public:
   /// Without points, for about `count` between the corners `low` and `high`; `cellSize` > 0 [m].

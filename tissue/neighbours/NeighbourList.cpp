@@ -102,7 +102,7 @@ NeighbourList::Change NeighbourList::renew(const AgentStore& agents, std::span<c
   const auto find = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) found[k] = neighboursOf(stale[k]);
   };
-  forEachPiece(stale.size(), find, parallelFromSearches, searchesOfChunk);
+  forEachChunk(stale.size(), find, parallelFromSearches, searchesOfChunk);
   for (std::size_t k = 0; k < stale.size(); ++k) replace(stale[k], found[k], changed);
   for (const Index i : stale) isStale_[i] = 0;
   std::ranges::sort(changed);

@@ -61,15 +61,15 @@ class NeighbourList {
     return !(margin(i, agents.position(i)) >= smallMargin());
   }
   void noteIds(const AgentStore& agents);
-  /// Sets the allowances to present radii; returns the agents whose neighbours are to be found, in ascending
-  /// order.
+  /// Sets the allowances to present radii; returns the agents that need their neighbours found again, in
+  /// ascending order.
   std::vector<Index> findStale(const AgentStore& agents);
   /// Finds the neighbours of these agents, or builds the list where they are many.
   Change renew(const AgentStore& agents, std::span<const Index> stale);
   /// Lists the agents in range of agent i, in ascending order.
   std::vector<Index> neighboursOf(Index i) const;
   /// Replaces the list of agent i, and edits those of neighbours it gained or lost, but for stale ones.
-  /// Appends the agents whose lists changed.
+  /// Appends the agents with changed lists.
   void replace(Index i, std::span<const Index> found, std::vector<Index>& changed);
 
   NeighbourRange range_;

@@ -7,7 +7,7 @@
 namespace restenosis {
 namespace {
 
-// Agents whose neighbours are found by one thread at a time, and how many of these chunks are found before
+// Agents searched for by one thread at a time, and how many of these chunks are found before
 // their lists are appended, so that few are in memory twice. Speed and memory only.
 constexpr std::ptrdiff_t agentsOfChunk = 512;
 constexpr std::size_t chunksAtOnce = 128;
@@ -98,7 +98,7 @@ void NeighbourList::build(const AgentStore& agents, const NeighbourRange& range)
         found.ends.push_back(found.elements.size());
       }
     };
-    forEachPiece(count, find, agentsOfChunk, agentsOfChunk);
+    forEachChunk(count, find, agentsOfChunk, agentsOfChunk);
     const auto used = std::span(chunks).first((count + agentsOfChunk - 1) / agentsOfChunk);
     if (first == 0) {
       std::size_t found = 0;

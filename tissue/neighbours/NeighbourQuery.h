@@ -18,7 +18,7 @@ class NeighbourQuery {
   NeighbourQuery(const AgentStore& agents, const CellGrid& grid, double largestRadius)
       : agents_(agents), grid_(grid), largestRadius_(largestRadius) {}
 
-  /// Calls f(j, distance) for every other agent j whose centre is within factor (R_i + R_j) of that of agent
+  /// Calls f(j, distance) for every other agent j with its centre within factor (R_i + R_j) of that of agent
   /// i, in ascending order of j.
   template <class F>
   void forEachNeighbour(Index i, double factor, F&& f) {

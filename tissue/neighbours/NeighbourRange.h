@@ -11,8 +11,8 @@ struct NeighbourRange {
   double skin = 0;            ///< [m]; how far two agents together may move before the list misses a pair
 
   double largestFactor() const { return std::max(factor, daughterFactor); }
-  /// Distance beyond which no two agents are in range, no radius being above the largest one; 1 m where it would
-  /// be 0 [m].
+  /// Distance beyond which no two agents are in range, no radius being above the largest one; 1 m where it
+  /// would be 0 [m].
   double widestReach(double largestRadius) const {
     const double widest = 2 * largestFactor() * largestRadius + skin;
     return widest > 0 ? widest : 1.0;

@@ -102,7 +102,7 @@ class Injurer {
     report_.brokenBonds = broken.size();
     for (Index i = 0; i < agents_.size(); ++i) {
       const bool pastStress =
-          parameters_.stressLimit > 0 && std::abs(agents_.pressure[i]) > parameters_.stressLimit;
+          parameters_.stressLimit > 0 && std::abs(agents_.stress[i]) > parameters_.stressLimit;
       injured_[i] = mayBeInjured(i) && (injured_[i] || pastStress);
       report_.broken += injured_[i];
     }

@@ -15,7 +15,7 @@ struct InjuryParameters {
   bool ielBreaks = false;
   double strainLimitAround = 0.095;
   double strainLimitAlong = 0.05;
-  double stressLimit = 0.0;  ///< on the magnitude of the pressure [Pa]; 0: no limit
+  double stressLimit = 0.0;  ///< on the magnitude of AgentStore::stress [Pa]; 0: no limit
   double fenestrationProbability = 0.06;
   double stretchedStrain = 0.045;  ///< above this the IEL is "the stretched region"
   double endMargin = 0.2e-3;       ///< [m] the IEL nearer a fixed end is never injured

@@ -15,8 +15,8 @@ namespace restenosis {
 /// no place, so it always ends. Every place is a function of (seed, agent id).
 class PoissonScatter {
  public:
-  /// About `count` agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `largest` bounds
-  /// their radii.
+  /// About `count` agents at 0 <= z <= length, no farther than outerRadius from the axis [m]; `largest`
+  /// bounds their radii.
   PoissonScatter(std::uint64_t seed, double length, double outerRadius, std::size_t count, double largest);
 
   /// The radius of the agent with this id [m].

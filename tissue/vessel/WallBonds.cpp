@@ -25,7 +25,7 @@ std::size_t bondWall(Wall& wall, double range) {
       });
     }
   };
-  return connectNearestFirst(agents, wall.bonds, gatherPieces<BondCandidate>(agents.size(), find));
+  return connectNearestFirst(agents, wall.bonds, gatherChunks<BondCandidate>(agents.size(), find));
 }
 
 }  // namespace restenosis

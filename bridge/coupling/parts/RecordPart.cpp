@@ -106,7 +106,7 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
   double stress = 0, nitricOxide = 0;
   for (Index i = 0; i < agents.size(); ++i) {
     if (agents.kind[i] != AgentKind::smc) continue;
-    stress += agents.pressure[i];
+    stress += agents.stress[i];
     if (agents.has(i, covered)) nitricOxide += agents.nitricOxide[i];
   }
   if (counts.smc > 0) row.stressMean = stress / counts.smc;
