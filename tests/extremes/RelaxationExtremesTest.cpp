@@ -25,7 +25,7 @@ BondTable noBonds(const AgentStore& agents) {
 
 bool allFinite(const AgentStore& agents) {
   for (Index i = 0; i < agents.size(); ++i) {
-    if (!agents.position(i).allFinite() || !std::isfinite(agents.pressure[i])) return false;
+    if (!agents.position(i).allFinite() || !std::isfinite(agents.stress[i])) return false;
   }
   return true;
 }

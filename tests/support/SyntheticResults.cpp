@@ -73,7 +73,7 @@ AgentStore SyntheticResults::agents(double progress) const {
   }
   for (Index i = 0; i < store.size(); ++i) {
     RandomStream random(2, store.id[i], 0, RandomPurpose::radius);
-    store.pressure[i] = 1e4 * random.normal();
+    store.stress[i] = 1e4 * random.normal();
     if (store.kind[i] != AgentKind::smc) continue;
     const double u = random.uniform();
     store.set(i, daughter, i >= wall);
