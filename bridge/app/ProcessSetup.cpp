@@ -6,6 +6,10 @@
 #include <cerrno>
 #include <csignal>
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 namespace restenosis {
 
 void setUpProcess() {
@@ -22,6 +26,10 @@ void setUpProcess() {
   }
   sigprocmask(SIG_UNBLOCK, &asking, nullptr);
   for (const int failing : {SIGPIPE, SIGXFSZ}) std::signal(failing, SIG_IGN);
+#if defined(M_MMAP_THRESHOLD) && defined(M_TRIM_THRESHOLD)
+  mallopt(M_MMAP_THRESHOLD, 16 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
 }
 
 }  // namespace restenosis

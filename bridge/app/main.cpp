@@ -14,7 +14,6 @@
 #include "bridge/app/ExitStatus.h"
 #include "bridge/app/ProcessSetup.h"
 #include "bridge/app/RunCommand.h"
-#include "bridge/app/RuntimeSettings.h"
 #include "bridge/app/SchemaCommand.h"
 #include "bridge/app/StandardOutput.h"
 #include "bridge/app/TradeoffCommand.h"
@@ -73,7 +72,6 @@ int runCommand(int argc, char** argv) {
 /// The program: `restenosisFoam COMMAND`. Exit status: 0 done, 1 the run failed, 2 the input is wrong.
 int main(int argc, char** argv) {
   using namespace restenosis;
-  applyRuntimeSettings(argv);
   setUpProcess();
   const PrintableOutput printableOutput;
   vtkObject::GlobalWarningDisplayOff();  // a file that VTK cannot read is named in our own words

@@ -50,6 +50,8 @@ TEST(AgentSpheres, MoveWithAnAgentThatIsNotYetStored) {
     const Vec3 there(2.5 * r, 0, 0);
     spheres.move(1, there, static_cast<float>(r));
     EXPECT_NEAR(spheres.changeOf(1).distance, 0.5 * r, 1e-6 * r);
+    EXPECT_NEAR(spheres.squaredDistance(0, 1), 6.25 * r * r, 1e-6 * r * r);
+    EXPECT_NEAR(spheres.radius(1), r, 1e-6 * r);
     two.agents.setPosition(1, there);
     EXPECT_FALSE(spheres.changed(1));
     spheres.visit([&](const auto& copies) {

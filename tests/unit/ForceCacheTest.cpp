@@ -177,14 +177,13 @@ TEST(ForceCache, FollowsAgentsThatMoveFartherThanTheSkin) {
 
   const Vec3 here = agents.position(40), there = agents.position(300) + Vec3(r, 0, 0);
   const Index formerPartner = at.neighbours.of(40).front();
-  ASSERT_TRUE(forces.mayAct(40, here, formerPartner, 0));
+  ASSERT_TRUE(forces.mayAct(40, formerPartner, 0));
   ActiveChunk& chunk = active.chunkOf(0);
   chunk.path[0] = static_cast<float>((there - here).norm());
   chunk.x[0] = there.x(), chunk.y[0] = there.y(), chunk.z[0] = there.z();
   forces.move(40, there, chunk.radius[0]);
-  forces.store(active, 0);
+  forces.updateNeighbours(active, Agents{0});
   EXPECT_EQ(agents.position(40), there);
-  forces.updateNeighbours(active, mover);
   forces.evaluate(active);
   at.loads = at.field.evaluate(agents, at.heap.bonds);
   at.expectForce(chunk.force(0), 40);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +11,7 @@
 
 namespace restenosis {
 
-/// The agents that a relaxation moves, in ascending order, chunk by chunk.
+/// The agents that a relaxation moves, in the order in which they were added, chunk by chunk.
 class ActiveSet {
  public:
   /// Makes it the empty set of so many agents. Gives memory back where it was large and became small.
@@ -23,22 +22,20 @@ class ActiveSet {
   bool empty() const { return agents_.empty(); }
   std::span<const Index> agents() const { return agents_; }
   /// The place of agent i, which is active: agents()[place] == i.
-  std::size_t placeOf(Index i) const;
+  std::size_t placeOf(Index i) const { return place_[i]; }
   ActiveChunk& chunkOf(std::size_t place) { return chunks_[place / ActiveChunk::capacity]; }
   const ActiveChunk& chunkOf(std::size_t place) const { return chunks_[place / ActiveChunk::capacity]; }
   /// The place in its chunk.
   static std::size_t inChunk(std::size_t place) { return place % ActiveChunk::capacity; }
   std::span<ActiveChunk> chunks() { return chunks_; }
 
-  /// Adds agents, in ascending order and none of them active. set(chunk, n, k) makes the n-th of a chunk the
-  /// k-th of them; it is called by several threads.
+  /// Adds agents, none of them active. set(chunk, n, k) makes the n-th of a chunk the k-th of them; it is
+  /// called by several threads.
   template <class Set>
   void add(std::span<const Index> added, const Set& set) {
-    makePlaces(added);
-    forEachInChunks(added.size(), [&](std::size_t k) {
-      const std::size_t place = placeOf(added[k]);
-      set(chunkOf(place), inChunk(place), k);
-    });
+    const std::size_t first = size();
+    append(added);
+    forEachInChunks(added.size(), [&](std::size_t k) { set(chunkOf(first + k), inChunk(first + k), k); });
     fillLastLanes();
   }
   /// Removes the agents with an entry of 0 in `keep`, by place.
@@ -69,15 +66,14 @@ class ActiveSet {
   std::span<const Index> slice(std::size_t begin, std::size_t end) const {
     return agents().subspan(begin, end - begin);
   }
+  void append(std::span<const Index> added);
   void resize(std::size_t count);
-  /// Makes places for more agents; those of the others follow.
-  void makePlaces(std::span<const Index> added);
-  void copy(std::size_t to, std::size_t from);
   void fillLastLanes();
 
   std::vector<Index> agents_;
   std::vector<ActiveChunk> chunks_;
   std::vector<std::uint8_t> isActive_;  ///< of all agents
+  std::vector<Index> place_;            ///< of those that are active
 };
 
 }  // namespace restenosis

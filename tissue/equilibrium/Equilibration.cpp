@@ -10,7 +10,7 @@ namespace {
 
 // Converged agents are deactivated, and the neighbours of active ones reviewed, this often: seldom enough to
 // cost little, often enough that what they add is not missed for long.
-constexpr int iterationsBetweenReviews = 10;
+constexpr int iterationsBetweenReviews = 15;
 
 // Active agents are brought this far below the tolerance that activates others. Were they left just below it,
 // all that has moved would stay somewhat out of balance, and a growing wall would be looser than it is in
@@ -104,10 +104,15 @@ void Equilibration::step() {
 void Equilibration::move(ActiveChunk& chunk, std::span<const Index> agents, const Moves& moves,
                          std::size_t first, std::vector<Index>& small) {
   const auto smallMargin = static_cast<float>(neighbours_.smallMargin());
+  ActiveChunk::Floats lengths;
   for (std::size_t k = 0; k < agents.size(); ++k) {
-    const Vec3 before = chunk.position(k), move(moves.x[k], moves.y[k], moves.z[k]);
-    Vec3 position = before + move;
-    float length = longer * static_cast<float>(move.norm());
+    const float dx = moves.x[k], dy = moves.y[k], dz = moves.z[k];
+    lengths[k] = longer * std::sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    const Vec3 before = chunk.position(k);
+    Vec3 position = before + Vec3(moves.x[k], moves.y[k], moves.z[k]);
+    float length = lengths[k];
     chunk.constraintMargin[k] -= length;
     if (!(chunk.constraintMargin[k] > 0)) {
       constraints_.project(chunk.kind[k], chunk.radius[k], position);
@@ -131,10 +136,7 @@ void Equilibration::updateNeighbours(std::span<const Index> smallMargins) {
       })) {
     return;
   }
-  forEachInChunks(active_.size(), [this](std::size_t place) { forces_.store(active_, place); });
-  std::vector<Index> moved;
-  for (const Index place : smallMargins) moved.push_back(active_.agents()[place]);
-  forces_.updateNeighbours(active_, moved);
+  forces_.updateNeighbours(active_, smallMargins);
 }
 
 bool Equilibration::review() {
@@ -146,9 +148,8 @@ bool Equilibration::review() {
       if (chunk.unreviewed[k] < pathUntilReview * tolerance * chunk.radius[k]) continue;
       chunk.unreviewed[k] = 0;
       // Listed ones out of range are left out, so that the agents reviewed do not depend on the list.
-      const Vec3 position = chunk.position(k);
       for (const Index j : neighbours_.of(agents[k]))
-        if (wanted(j) && forces_.mayAct(agents[k], position, j, 0)) reviewed_.mark(j);
+        if (wanted(j) && forces_.mayAct(agents[k], j, 0)) reviewed_.mark(j);
       for (const Bond& bond : forces_.bonds().of(agents[k]))
         if (wanted(bond.partner)) reviewed_.mark(bond.partner);
     }

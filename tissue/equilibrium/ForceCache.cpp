@@ -16,7 +16,7 @@ namespace {
 static_assert(PairList::capacity == chunkSize && ActiveChunk::capacity == chunkSize);
 
 // Of a distance: more than rounding can change it by.
-constexpr double beyondRounding = 1 + 1e-6;
+constexpr float beyondRounding = 1 + 1e-6F;
 
 /// The first agent that something is wrong with.
 struct First {
@@ -68,7 +68,7 @@ void ForceCache::refresh() {
   std::vector<double> slack(changed.size());
   forEachInChunks(knownChanged, [&](std::size_t k) {
     const AgentSpheres::Change change = spheres_.changeOf(changed[k]);
-    slack[k] = change.distance + std::max(range_.factor, range_.daughterFactor) * change.growth;
+    slack[k] = change.distance + range_.largestFactor() * change.growth;
   });
 
   growCapacity(residual_, agents_.size());
@@ -104,18 +104,29 @@ void ForceCache::store(const ActiveSet& active, std::size_t place) {
 }
 
 void ForceCache::updateNeighbours(ActiveSet& active, std::span<const Index> moved) {
-  // By the former list, as in refresh()
-  for (const Index i : moved) {
-    const std::size_t place = active.placeOf(i);
+  std::vector<Index> agents;
+  for (const Index place : moved) {
+    const Index i = active.agents()[place];
+    agents.push_back(i);
+    store(active, place);
+    // By the former list, as in refresh()
     markAround(i, active.chunkOf(place).path[ActiveSet::inChunk(place)]);
   }
-  const NeighbourList::Change change = neighbours_.update(agents_, moved);
+  std::ranges::sort(agents);
+  if (neighbours_.isBuiltFor(agents.size()))
+    forEachInChunks(active.size(), [&](std::size_t place) { store(active, place); });
+  const NeighbourList::Change change = neighbours_.update(agents_, agents);
   if (change.all) {
     stale_.markAll();
     for (ActiveChunk& chunk : active.chunks()) chunk.pairsCurrent = false;
   }
-  for (const Index i : change.agents)
-    if (active.contains(i)) active.chunkOf(active.placeOf(i)).pairsCurrent = false;
+  const PairSource pairs = field_.pairs(agents_, neighbours_, bonds_);
+  for (const Index i : change.agents) {
+    if (!active.contains(i)) continue;
+    const std::size_t place = active.placeOf(i);
+    ActiveChunk& chunk = active.chunkOf(place);
+    if (chunk.pairsCurrent) chunk.pairsCurrent = chunk.pairs.replace(pairs, ActiveSet::inChunk(place), i);
+  }
 }
 
 void ForceCache::setForces(ActiveChunk& chunk, std::span<const AgentLoad> loads) const {
@@ -190,18 +201,23 @@ std::vector<AgentForce> ForceCache::evaluate(std::span<const Index> agents) {
   return forces;
 }
 
-bool ForceCache::mayAct(Index i, const Vec3& position, Index j, double slack) const {
+bool ForceCache::mayAct(Index i, Index j, double slack) const {
+  const float squared = spheres_.squaredDistance(i, j);
+  const float radii = beyondRounding * (spheres_.radius(i) + spheres_.radius(j));
+  const auto isWithin = [&](double factor) {
+    const float reach = static_cast<float>(factor) * radii + static_cast<float>(slack);
+    return squared < reach * reach;
+  };
+  // The flags are read for few pairs: they are not where the spheres are.
+  if (!isWithin(range_.largestFactor())) return false;
   const bool daughter = ((agents_.flags[i] | agents_.flags[j]) & AgentFlag::daughter) != 0;
-  const double factor = beyondRounding * (daughter ? range_.daughterFactor : range_.factor);
-  const double reach = factor * (agents_.radius[i] + agents_.radius[j]) + slack;
-  return (position - agents_.position(j)).squaredNorm() < reach * reach;
+  return isWithin(daughter ? range_.daughterFactor : range_.factor);
 }
 
 void ForceCache::markAround(Index i, double slack) {
   stale_.mark(i);
-  const Vec3 position = agents_.position(i);
   for (const Index j : neighbours_.of(i))
-    if (mayAct(i, position, j, slack)) stale_.mark(j);
+    if (mayAct(i, j, slack)) stale_.mark(j);
   for (const Bond& bond : bonds_.of(i)) stale_.mark(bond.partner);
 }
 

@@ -53,8 +53,8 @@ class ForceCache {
   void move(Index i, const Vec3& position, float radius) { spheres_.move(i, position, radius); }
   /// Writes the place-th agent to the store: its position and stress, and its residual.
   void store(const ActiveSet& active, std::size_t place);
-  /// Brings the neighbour list up to date. All active agents have been stored; `moved` are, in ascending
-  /// order, those of a small margin (NeighbourList::smallMargin).
+  /// Brings the neighbour list up to date; `moved` are the places of those of a small margin
+  /// (NeighbourList::smallMargin).
   void updateNeighbours(ActiveSet& active, std::span<const Index> moved);
 
   /// Evaluates the forces on all active agents. Throws std::runtime_error naming an agent on which the force
@@ -64,11 +64,10 @@ class ForceCache {
   /// stresses. Throws likewise.
   std::vector<AgentForce> evaluate(std::span<const Index> agents);
 
-  /// Whether the pair of agent i, at this position, and agent j acts, or may have acted before i moved by
-  /// `slack` [m].
-  bool mayAct(Index i, const Vec3& position, Index j, double slack) const;
-  /// Agent i, which is stored, has moved by at most `slack` [m]: it is stale, and so are those on which it
-  /// acts or acted. Several threads may call it.
+  /// Whether the pair of agents i and j acts, or may have acted before i moved by `slack` [m].
+  bool mayAct(Index i, Index j, double slack) const;
+  /// Agent i has moved by at most `slack` [m]: it is stale, and so are those on which it acts or acted.
+  /// Several threads may call it.
   void markAround(Index i, double slack);
   /// Agents have moved: checks whether mixed precision still expresses them.
   void checkPrecision(std::span<const Index> moved);

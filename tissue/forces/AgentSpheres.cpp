@@ -16,6 +16,15 @@ FixedSphere fixedSphere(const AgentStore& agents, Index i, const FixedScale& sca
   return fixedSphere(scale, agents.position(i), static_cast<float>(agents.radius[i]));
 }
 
+/// From b to a [m].
+Vec3 apart(const Sphere& a, const Sphere& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3 apart(const FixedSphere& a, const FixedSphere& b, const FixedScale& scale) {
+  const auto units = [](std::uint32_t u, std::uint32_t v) {
+    return static_cast<double>(static_cast<std::int32_t>(u - v));
+  };
+  return scale.unit() * Vec3(units(a.x, b.x), units(a.y, b.y), units(a.z, b.z));
+}
+
 }  // namespace
 
 void AgentSpheres::copyAll() {
@@ -52,15 +61,11 @@ bool AgentSpheres::changed(Index i) const {
 
 AgentSpheres::Change AgentSpheres::changeOf(Index i) const {
   if (!scale_) {
-    const Sphere& s = exact_[i];
-    return {(agents_.position(i) - Vec3(s.x, s.y, s.z)).norm(), std::abs(agents_.radius[i] - s.r)};
+    const Sphere now = exactSphere(agents_, i);
+    return {apart(now, exact_[i]).norm(), std::abs(now.r - exact_[i].r)};
   }
-  const FixedSphere &before = fixed_[i], now = fixedSphere(agents_, i, *scale_);
-  const auto apart = [](std::uint32_t a, std::uint32_t b) {
-    return static_cast<double>(static_cast<std::int32_t>(a - b));
-  };
-  const Vec3 moved(apart(now.x, before.x), apart(now.y, before.y), apart(now.z, before.z));
-  return {moved.norm() * scale_->unit(), std::abs(static_cast<double>(now.r) - before.r)};
+  const FixedSphere now = fixedSphere(agents_, i, *scale_);
+  return {apart(now, fixed_[i], *scale_).norm(), std::abs(static_cast<double>(now.r) - fixed_[i].r)};
 }
 
 }  // namespace restenosis

@@ -30,6 +30,19 @@ class AgentSpheres {
   void copy(Index i);
   /// Whether agent i is not where and as large as its copy.
   bool changed(Index i) const;
+  float radius(Index i) const {  ///< [m]
+    return scale_ ? fixed_[i].r : static_cast<float>(exact_[i].r);
+  }
+  /// Square of the distance of two copies, up to rounding in single precision [m^2].
+  float squaredDistance(Index i, Index j) const {
+    if (!scale_)
+      return squares(exact_[i].x - exact_[j].x, exact_[i].y - exact_[j].y, exact_[i].z - exact_[j].z);
+    const auto apart = [this](std::uint32_t a, std::uint32_t b) {
+      return static_cast<float>(static_cast<std::int32_t>(a - b)) * static_cast<float>(scale_->unit());
+    };
+    const FixedSphere &a = fixed_[i], &b = fixed_[j];
+    return squares(apart(a.x, b.x), apart(a.y, b.y), apart(a.z, b.z));
+  }
   /// How far agent i is from its copy, and by how much its radius differs [m].
   struct Change {
     double distance, growth;
@@ -56,6 +69,10 @@ class AgentSpheres {
 
  private:
   bool fits(Index i) const;
+  template <class Real>
+  static float squares(Real x, Real y, Real z) {
+    return static_cast<float>(x * x + y * y + z * z);
+  }
 
   const AgentStore& agents_;
   const BondTable& bonds_;

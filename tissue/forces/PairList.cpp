@@ -9,8 +9,14 @@
 namespace restenosis {
 namespace {
 
+constexpr float unbonded = std::numeric_limits<float>::infinity();
+
 // Lists of this length and beyond are sorted as equal.
 constexpr std::uint32_t longestSorted = 63;
+// The lists of an agent are fetched so many agents before they are read.
+constexpr std::size_t agentsAhead = 8;
+// Entries of a slice beyond its longest list, for lists that get longer.
+constexpr std::uint32_t spareEntries = 2;
 
 /// The numbers 0 to keys.size() - 1 by their keys; those of equal keys in ascending order.
 void sortByKey(std::span<const std::uint8_t> keys, std::span<std::uint8_t> order) {
@@ -25,11 +31,13 @@ void sortByKey(std::span<const std::uint8_t> keys, std::span<std::uint8_t> order
 void PairList::build(const PairSource& source, std::span<const Index> agents, Index none) {
   assert(agents.size() <= capacity);
   size_ = agents.size();
+  none_ = none;
   thread_local std::vector<Pair> pairs;
   pairs.clear();
   std::array<std::uint32_t, capacity + 1> startOfAgent;
   std::array<std::uint8_t, capacity> key;
   for (std::size_t k = 0; k < size_; ++k) {
+    if (k + agentsAhead < size_) source.prefetch(agents[k + agentsAhead]);
     startOfAgent[k] = static_cast<std::uint32_t>(pairs.size());
     source.append(agents[k], pairs);
     const auto length = static_cast<std::uint32_t>(pairs.size()) - startOfAgent[k];
@@ -43,26 +51,47 @@ void PairList::build(const PairSource& source, std::span<const Index> agents, In
     const std::uint32_t begin = startOfAgent[order_[n]], end = startOfAgent[order_[n] + std::size_t{1}];
     return std::span<const Pair>(pairs).subspan(begin, end - begin);
   };
-  for (std::size_t slice = 0; slice < slices(); ++slice) {
+  std::uint32_t end = 0;
+  for (std::size_t s = 0; s < slices(); ++s) {
     std::size_t longest = 0;
     for (std::size_t lane = 0; lane < width; ++lane)
-      longest = std::max(longest, listOf(slice * width + lane).size());
-    start_[slice + 1] = start_[slice] + static_cast<std::uint32_t>(longest);
+      longest = std::max(longest, listOf(s * width + lane).size());
+    const auto length = static_cast<std::uint32_t>(longest);
+    slices_[s] = {.start = end, .length = length, .capacity = length + spareEntries};
+    end += slices_[s].capacity;
   }
-  const std::size_t end = start_[slices()];
   if (end > entries_.capacity()) entries_ = {};  // what it holds need not be copied
   growCapacity(entries_, end);
   entries_.resize(end);
-  for (std::size_t n = 0; n < slices() * width; ++n) {
-    const std::size_t slice = n / width, lane = n % width;
-    const auto list = listOf(n);
-    const auto column = std::span(entries_).subspan(start_[slice], start_[slice + 1] - start_[slice]);
-    for (std::size_t m = 0; m < column.size(); ++m) {
-      const Pair pair = m < list.size() ? list[m] : Pair{none, std::numeric_limits<float>::infinity()};
-      column[m].partner[lane] = pair.partner;
-      column[m].restLength[lane] = pair.restLength;
+  for (std::size_t s = 0; s < slices(); ++s) {
+    std::array<std::span<const Pair>, width> lists;
+    for (std::size_t lane = 0; lane < width; ++lane) lists[lane] = listOf(s * width + lane);
+    for (std::size_t m = 0; m < slices_[s].capacity; ++m) {
+      Entry& entry = entries_[slices_[s].start + m];
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        const Pair pair = m < lists[lane].size() ? lists[lane][m] : Pair{none, unbonded};
+        entry.partner[lane] = pair.partner;
+        entry.restLength[lane] = pair.restLength;
+      }
     }
   }
+}
+
+bool PairList::replace(const PairSource& source, std::size_t k, Index i) {
+  const auto n = static_cast<std::size_t>(std::ranges::find(order_, k) - order_.begin());
+  Slice& slice = slices_[n / width];
+  thread_local std::vector<Pair> pairs;
+  pairs.clear();
+  source.append(i, pairs);
+  if (pairs.size() > slice.capacity) return false;
+  slice.length = std::max(slice.length, static_cast<std::uint32_t>(pairs.size()));
+  pairs.resize(slice.capacity, {none_, unbonded});
+  for (std::size_t m = 0; m < pairs.size(); ++m) {
+    Entry& entry = entries_[slice.start + m];
+    entry.partner[n % width] = pairs[m].partner;
+    entry.restLength[n % width] = pairs[m].restLength;
+  }
+  return true;
 }
 
 }  // namespace restenosis

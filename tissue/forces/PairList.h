@@ -25,21 +25,29 @@ class PairList {
 
   /// `none`: an index that no agent has, that of a sphere that touches nothing.
   void build(const PairSource& source, std::span<const Index> agents, Index none);
+  /// Lists the pairs of the k-th agent again, which is agent i. Returns false where there is no space for
+  /// them: the list is then to be built.
+  bool replace(const PairSource& source, std::size_t k, Index i);
 
   std::size_t size() const { return size_; }
   std::size_t slices() const { return (size_ + width - 1) / width; }
   std::span<const Entry> entries(std::size_t slice) const {
-    return std::span(entries_).subspan(start_[slice], start_[slice + 1] - start_[slice]);
+    return std::span(entries_).subspan(slices_[slice].start, slices_[slice].length);
   }
   /// The place among the agents of the n-th in the order of the slices.
   std::size_t operator[](std::size_t n) const { return order_[n]; }
   std::size_t bytes() const { return entries_.size() * sizeof(Entry); }
 
  private:
+  struct Slice {
+    std::uint32_t start = 0, length = 0, capacity = 0;  ///< entries
+  };
+
   std::vector<Entry> entries_;
-  std::array<std::uint32_t, capacity / width + 1> start_{};  ///< of each slice, and the end
+  std::array<Slice, capacity / width> slices_;
   std::array<std::uint8_t, capacity> order_{};
   std::size_t size_ = 0;
+  Index none_ = 0;
 };
 
 }  // namespace restenosis

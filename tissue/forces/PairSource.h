@@ -22,6 +22,11 @@ struct PairSource {
   const std::vector<std::uint8_t>& flags;  ///< of the agents
   bool cohesion;                           ///< whether daughters cohere
 
+  /// Fetches what append() reads of agent i. Speed only: an eighth of a relaxation.
+  void prefetch(Index i) const {
+    __builtin_prefetch(neighbours.of(i).data());
+    __builtin_prefetch(bonds.of(i).data());
+  }
   /// Appends the pairs of agent i in ascending order of partners, each once.
   void append(Index i, std::vector<Pair>& pairs) const;
 };

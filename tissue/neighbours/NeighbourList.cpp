@@ -19,6 +19,8 @@ constexpr double mostRenewed = 0.1;
 
 // A list that outgrew its capacity gets capacity for so many more entries.
 constexpr std::uint32_t spareEntries = 8;
+// Candidates for the neighbours of an agent in dense tissue, or some more.
+constexpr std::size_t usualCandidates = 200;
 // Searches of one thread at a time, and how many are worth waking other threads for.
 constexpr std::ptrdiff_t searchesOfChunk = 16, parallelFromSearches = 64;
 
@@ -68,8 +70,12 @@ std::vector<Index> NeighbourList::findStale(const AgentStore& agents) {
   return stale;
 }
 
+bool NeighbourList::isBuiltFor(std::size_t agents) const {
+  return static_cast<double>(agents) > mostRenewed * size() || lists_.wasteful();
+}
+
 NeighbourList::Change NeighbourList::renew(const AgentStore& agents, std::span<const Index> stale) {
-  if (static_cast<double>(stale.size()) > mostRenewed * size() || lists_.wasteful()) {
+  if (isBuiltFor(stale.size())) {
     build(agents, range_);
     return {.all = true, .agents = {}};
   }
@@ -114,9 +120,13 @@ NeighbourList::Change NeighbourList::renew(const AgentStore& agents, std::span<c
 std::vector<Index> NeighbourList::neighboursOf(Index i) const {
   const ListedAgent& agent = listed_[i];
   std::vector<Index> found;
+  found.reserve(usualCandidates);
+  // Candidates are fetched together: they are far apart in memory
   grid_->forEachCandidate(agent.position, reachOf(range_, agent, largestRadius_), [&](Index j) {
-    if (j != i && inRange(range_, agent, listed_[j])) found.push_back(j);
+    __builtin_prefetch(&listed_[j]);
+    found.push_back(j);
   });
+  std::erase_if(found, [&](Index j) { return j == i || !inRange(range_, agent, listed_[j]); });
   std::ranges::sort(found);
   return found;
 }

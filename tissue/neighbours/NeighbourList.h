@@ -41,6 +41,9 @@ class NeighbourList {
   /// cost.
   Change update(const AgentStore& agents, std::span<const Index> moved);
 
+  /// Whether an update builds the list, where the neighbours of so many agents are to be found.
+  bool isBuiltFor(std::size_t agents) const;
+
   std::span<const Index> of(Index i) const { return lists_[i]; }
   Index size() const { return static_cast<Index>(listed_.size()); }
   std::size_t pairCount() const { return lists_.elementCount() / 2; }
