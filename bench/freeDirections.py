@@ -38,8 +38,8 @@ def fibonacci(n):
     return numpy.column_stack((ring * numpy.cos(turn), ring * numpy.sin(turn), height))
 
 
-def freeShare(centre, radius, kind, chosen):
-    """Of each chosen agent."""
+def freeShare(centre, radius, kind, chosen, sheets=True):
+    """Of each chosen agent. Without sheets laminae cover as much beside them as behind them."""
     directions = fibonacci(DIRECTIONS)
     normal = centre * (1, 1, 0)
     normal /= numpy.linalg.norm(normal, axis=1)[:, None]
@@ -51,7 +51,7 @@ def freeShare(centre, radius, kind, chosen):
         distance = numpy.linalg.norm(offset, axis=1)
         within = (distance > 0) & (distance <= RANGE * (radius[i] + radius[near]))
         near, offset, distance = near[within], offset[within], distance[within]
-        facing = (offset * normal[near]).sum(axis=1) / distance
+        facing = (offset * normal[near]).sum(axis=1) / distance if sheets else 1
         cover = CELL_COVER + numpy.isin(kind[near], (IEL, EEL)) * (LAMINA_COVER - CELL_COVER) * facing**2
         limit = numpy.sqrt(numpy.maximum(0, distance**2 - (cover * radius[near]) ** 2))
         share.append((directions @ offset.T < limit).all(axis=1).mean())
@@ -64,12 +64,13 @@ def shares(folder):
     z = centre[:, 2]
     length = min(z.max() - 2 * END, LONGEST)
     chosen = (fixed == 0) & (abs(z - (z.min() + z.max()) / 2) < length / 2)
-    groups = {"SMC": (kind == SMC) & (injured == 0), "IEL": kind == IEL, "IEL, injured": injured == 1}
+    groups = {"SMC": ((kind == SMC) & (injured == 0), True), "IEL": (kind == IEL, True),
+              "IEL, injured": (injured == 1, True), "IEL, injured, no sheets": (injured == 1, False)}
     table = {}
-    for name, group in groups.items():
+    for name, (group, sheets) in groups.items():
         agents = numpy.flatnonzero(group & chosen)
         if len(agents):
-            share = freeShare(centre, radius, kind, agents)
+            share = freeShare(centre, radius, kind, agents, sheets)
             table[name] = (len(agents), *(round(numpy.quantile(share, q), 3) for q in (0.5, 0.99, 0.999, 1)),
                            int((share > THRESHOLD + 1e-9).sum()))
     return table
@@ -77,4 +78,4 @@ def shares(folder):
 
 if __name__ == "__main__":
     for agents, values in shares(sys.argv[1]).items():
-        print(agents.ljust(14), *values)
+        print(agents.ljust(24), *values)
