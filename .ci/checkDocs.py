@@ -4,11 +4,13 @@
     .ci/checkDocs.py [PROGRAM]
 
 Links between pages and their anchors; files, keys of a scene, scenes, presets and tests that text and commands name;
-pages that code names.
+pages that code names. Tables of docs/ and README.md have at most six columns, those of docs/results hold what
+bench/data says, and no page of docs/ names a commit.
 With PROGRAM (build/release/restenosisFoam) also the options of its commands, and that docs/guide/schema.md is what
 `PROGRAM schema --markdown` prints. Every finding is a line, and the exit status is 1 where there is one.
 """
 import fnmatch
+import itertools
 import json
 import pathlib
 import re
@@ -27,6 +29,7 @@ FILES = {name for name in TRACKED if name and (ROOT / name).exists()}
 FOLDERS = {str(parent) for name in FILES for parent in pathlib.PurePosixPath(name).parents} - {"."}
 BASENAMES = {name.rsplit("/", 1)[-1] for name in FILES}
 SCHEMA = "docs/guide/schema.md"
+MOST_COLUMNS = 6
 COMMANDS = ["run", "check", "compare", "tradeoff", "bench", "schema"]
 
 findings = []
@@ -90,6 +93,29 @@ def checkLinks(page, pages):
                 name = str(absolute.resolve().relative_to(ROOT))
             if anchor and name in pages and anchor not in pages[name].anchors:
                 find(page.name, number, f"link to #{anchor}, which {name} does not have")
+
+
+def checkTables(page):
+    for number, line in page.prose:
+        columns = len(re.findall(r"(?<!\\)\|", line)) - 1
+        if re.fullmatch(r"\|[-:| ]+\|", line) and columns > MOST_COLUMNS:
+            find(page.name, number, f"a table of {columns} columns: at most {MOST_COLUMNS}")
+
+
+def checkMeasured():
+    """Tables and figures of docs/results against bench/data."""
+    checked = subprocess.run([sys.executable, ROOT / "bench/draw", "--check"], capture_output=True, text=True)
+    findings.extend((checked.stdout or checked.stderr).splitlines() if checked.returncode else [])
+
+
+def checkCommits(page):
+    """Numbers of a machine or a seed may be of such digits too: only what git knows counts."""
+    for number, line in page.prose + page.code:
+        for word in re.findall(r"\b[0-9a-f]{7,40}\b", line):
+            known = subprocess.run(["git", "rev-parse", "-q", "--verify", f"{word}^{{commit}}"], cwd=ROOT,
+                                   capture_output=True)
+            if known.returncode == 0:
+                find(page.name, number, f"{word} is a commit: git has the history")
 
 
 def existsAsNamed(path):
@@ -174,9 +200,13 @@ def words(command):
         return command.split()
 
 
-def checkCommands(page, presets, tests, options):
+def checkCommands(page, presets, tests, options, measurements):
     for number, command in page.code:
         given = words(command)
+        if given[:1] == ["bench/run"]:
+            for word in itertools.takewhile(lambda word: word != "&&", given[1:]):
+                if not word.startswith("-") and word not in measurements:
+                    find(page.name, number, f"bench/run has no {word}")
         for word, following in zip(given, given[1:]):
             if word == "--preset" and following not in presets:
                 find(page.name, number, f"no preset {following}")
@@ -234,13 +264,20 @@ def main():
     pages = {name: Page(name) for name in sorted(FILES) if name.endswith(".md")}
     keys, written, tests = readKeys(), writtenNames(), testNames()
     options = optionsOf(program) if program else None
+    listed = subprocess.run([sys.executable, ROOT / "bench/run", "--list"], check=True, capture_output=True, text=True)
+    measurements = {line.split()[0] for line in listed.stdout.splitlines()}
     for page in pages.values():
         checkLinks(page, pages)
         checkPaths(page)
         checkKeys(page, keys, written)
-        checkCommands(page, presets, tests, options)
+        checkCommands(page, presets, tests, options, measurements)
+        if page.name.startswith("docs/"):
+            checkCommits(page)
+        if page.name.startswith("docs/") or page.name == "README.md":
+            checkTables(page)
     if program:
         checkSchema(program)
+    checkMeasured()
     checkMentions()
     checkWords()
     print("\n".join(findings) if findings else f"{len(pages)} pages agree with the repository")

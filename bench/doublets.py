@@ -28,8 +28,9 @@ def read(file):
     return vtk_to_numpy(data.GetPoints().GetData())[cells], {name: a[cells] for name, a in arrays.items()}
 
 
-def main():
-    earlier, last = sorted((pathlib.Path(sys.argv[1]) / "tissue").glob("*.vtp"))[-2:]
+def doublets(folder):
+    """Number of cells, how many have not divided, and the shares of both that are near another."""
+    earlier, last = sorted((pathlib.Path(folder) / "tissue").glob("*.vtp"))[-2:]
     _, before = read(earlier)
     centre, cells = read(last)
     generation = dict(zip(before["id"].tolist(), before["generation"].tolist()))
@@ -37,8 +38,13 @@ def main():
     distance, other = cKDTree(centre).query(centre, k=NEIGHBOURS + 1)
     radii = cells["radius"][:, None] + cells["radius"][other[:, 1:]]
     near = (distance[:, 1:] < NEAR * radii).any(axis=1)
-    print(f"{len(centre)} cells, {settled.sum()} of them not divided since {earlier.name}")
-    print(f"nearer than {NEAR} (R1 + R2) to another: {near.mean():.4%} of all, {near[settled].mean():.4%} of those")
+    return len(centre), int(settled.sum()), near.mean(), near[settled].mean()
+
+
+def main():
+    cells, settled, near, settled_near = doublets(sys.argv[1])
+    print(f"{cells} cells, {settled} of them not divided since the record before")
+    print(f"nearer than {NEAR} (R1 + R2) to another: {near:.4%} of all, {settled_near:.4%} of those")
 
 
 if __name__ == "__main__":

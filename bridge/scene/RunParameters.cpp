@@ -68,13 +68,13 @@ void CouplingParameters::describe(ParameterVisitor& p) {
              {.key = "undecidedMargin",
               .minimum = 0,
               .maximum = 1000,
-              .source = "docs/results/coupling.md",
+              .source = "docs/developer/decisions.md",
               .description = "a covered cell below this times the arresting stress may decide otherwise "
                              "when the flow changes"});
   p.quantity(undecidedShare, {.key = "undecidedShare",
                               .minimum = 0,
                               .maximum = 1,
-                              .source = "docs/results/coupling.md",
+                              .source = "docs/developer/decisions.md",
                               .description = "share of these cells at which the lumen may have moved by more "
                                              "than lumenTolerance"});
   p.choice(stressUpdate, namesOf(stressUpdates),

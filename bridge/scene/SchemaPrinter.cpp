@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace {
 /// One key as a row; the columns are in `columnNames`.
 using Row = std::array<std::string, 7>;
 const Row columnNames = {"key", "type", "unit", "default", "allowed", "source", "meaning"};
+constexpr std::size_t unitColumn = 2;
 
 class RowCollector : public ParameterVisitor {
  public:
@@ -97,9 +99,12 @@ std::string markdownCell(const std::string& text) {
   return cell;
 }
 
+/// Without the unit, which default and bounds have: six columns are as many as a page shows well.
 std::string markdownRow(const Row& row) {
   std::string line = "|";
-  for (const auto& cell : row) line += fmt::format(" {} |", markdownCell(cell));
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    if (c != unitColumn) line += fmt::format(" {} |", markdownCell(row[c]));
+  }
   return line + '\n';
 }
 
@@ -128,7 +133,7 @@ std::string schemaMarkdown(const Units& units) {
   return std::string(markdownHead) +
          printed(units, [](std::string_view section, std::string_view summary, const std::vector<Row>& rows) {
            std::string text = fmt::format("## [{}]\n\n{} ({}).\n\n", section, summary, presence(section));
-           text += markdownRow(columnNames) + "|---|---|---|---|---|---|---|\n";
+           text += markdownRow(columnNames) + "|---|---|---|---|---|---|\n";
            for (const auto& row : rows) text += markdownRow(row);
            return text + '\n';
          });
