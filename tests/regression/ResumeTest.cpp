@@ -252,8 +252,7 @@ TEST_F(Resume, ReplacesLinksAmongItsResultsAndDoesNotFollowThem) {
 }
 
 /// Nodes near enough that the flow is solved without remarks.
-const std::string inFineLattice =
-    with(tinyScene, "\"analytic\"", "\"lbm\"") + "[lbm]\ndx = \"25 um\"\n";
+const std::string inFineLattice = with(tinyScene, "\"analytic\"", "\"lbm\"") + "[lbm]\ndx = \"25 um\"\n";
 
 TEST_F(Resume, AFlowThatFailsForItsSettingsIsSolvedWithOthers) {
   const std::string tiny = scene("tiny", inFineLattice);

@@ -9,7 +9,8 @@ namespace restenosis {
 namespace {
 
 // Converged agents are deactivated, and the neighbours of active ones reviewed, this often: seldom enough to
-// cost little, often enough that what they add is not missed for long.
+// cost little, often enough that what they add is not missed for long. A day of growth of the thesis vessel
+// needs 137, 123, 121 and 761 million evaluations at 10, 15, 20 and 30.
 constexpr int iterationsBetweenReviews = 15;
 
 // Active agents are brought this far below the tolerance that activates others. Were they left just below it,
