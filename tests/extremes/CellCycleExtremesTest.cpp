@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "tests/support/CellCycles.h"
 #include "tissue/biology/Biology.h"
 
 namespace restenosis {
 namespace {
+
+using support::phases;
 
 /// Cells in free space after some steps, with nothing to hold them back.
 AgentStore grow(const CellCycleParameters& parameters, double step, int steps) {
@@ -30,14 +33,6 @@ AgentStore grow(const CellCycleParameters& parameters, double step, int steps) {
     }
   }
   return agents;
-}
-
-CellCycleParameters phases(double g1, double sg2m) {
-  CellCycleParameters parameters;
-  parameters.g1Mean = g1;
-  parameters.g1Spread = 0;
-  parameters.sg2mDuration = sg2m;
-  return parameters;
 }
 
 TEST(CellCycleExtremes, PhasesOfNoLengthDivideOnceAStep) {

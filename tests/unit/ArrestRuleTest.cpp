@@ -14,20 +14,16 @@ struct ArrestRuleTest : testing::Test {
   AgentStore agents;
 };
 
-TEST_F(ArrestRuleTest, ContractileCellsRest) {
-  const auto rule = ContractileArrest::make(BiologySettings());
-  ASSERT_TRUE(rule);
-  EXPECT_TRUE(rule->arrests(agents, 0));
+TEST_F(ArrestRuleTest, ContractileAndInhibitedCellsRest) {
+  const auto contractile = ContractileArrest::make(BiologySettings());
+  const auto inhibition = InhibitionArrest::make(BiologySettings());
+  ASSERT_TRUE(contractile && inhibition);
+  EXPECT_TRUE(contractile->arrests(agents, 0));
+  EXPECT_FALSE(inhibition->arrests(agents, 0));
   agents.set(0, synthetic, true);
-  EXPECT_FALSE(rule->arrests(agents, 0));
-}
-
-TEST_F(ArrestRuleTest, InhibitedCellsRest) {
-  const auto rule = InhibitionArrest::make(BiologySettings());
-  ASSERT_TRUE(rule);
-  EXPECT_FALSE(rule->arrests(agents, 0));
   agents.set(0, inhibited, true);
-  EXPECT_TRUE(rule->arrests(agents, 0));
+  EXPECT_FALSE(contractile->arrests(agents, 0));
+  EXPECT_TRUE(inhibition->arrests(agents, 0));
 }
 
 TEST_F(ArrestRuleTest, ByDefaultARuleReadsNoWallShearStress) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tests/support/CellCycles.h"
 #include "tests/support/Constants.h"
 #include "tissue/biology/CellCycle.h"
 
@@ -27,14 +28,6 @@ AgentStore oneCell() {
   return agents;
 }
 
-CellCycleParameters exactly(double g1, double sg2m) {
-  CellCycleParameters parameters;
-  parameters.g1Mean = g1;
-  parameters.g1Spread = 0;
-  parameters.sg2mDuration = sg2m;
-  return parameters;
-}
-
 TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
   const CellCycle cycle({}, 1, hour);
   const int n = 20000;
@@ -54,7 +47,7 @@ TEST(CellCycle, DrawsG1WithMeanSpreadAndTruncation) {
 }
 
 TEST(CellCycle, RecruitsCellsOneAfterAnother) {
-  CellCycleParameters parameters = exactly(16 * hour, 16 * hour);
+  CellCycleParameters parameters = phases(16 * hour, 16 * hour);
   parameters.recruitment = 20 * hour;
   const CellCycle cycle(parameters, 1, hour);
   AgentStore agents;
@@ -81,7 +74,7 @@ TEST(CellCycle, RecruitsCellsOneAfterAnother) {
 }
 
 TEST(CellCycle, GrowsExponentiallyToTwiceTheVolume) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
+  const CellCycle cycle(phases(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   for (int step = 1; step <= 32; ++step) {
@@ -115,7 +108,7 @@ TEST(CellCycle, RestsWhereARuleForbidsIt) {
 }
 
 TEST(CellCycle, KeepsTheRadiusOfACellSentBackAndNeverInflatesIt) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
+  const CellCycle cycle(phases(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   for (int round = 0; round < 10; ++round) {
@@ -135,7 +128,7 @@ TEST(CellCycle, KeepsTheRadiusOfACellSentBackAndNeverInflatesIt) {
 }
 
 TEST(CellCycle, FinishesWhatItStartedAfterG1) {
-  const CellCycle cycle(exactly(2 * hour, 2 * hour), 1, hour);
+  const CellCycle cycle(phases(2 * hour, 2 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   cycle.advance(agents, rules, report);
@@ -149,7 +142,7 @@ TEST(CellCycle, FinishesWhatItStartedAfterG1) {
 }
 
 TEST(CellCycle, CarriesTheRestOfAStepIntoTheNextPhase) {
-  const CellCycle cycle(exactly(2.25 * hour, 1.5 * hour), 1, hour);
+  const CellCycle cycle(phases(2.25 * hour, 1.5 * hour), 1, hour);
   AgentStore agents = oneCell();
   CycleReport report;
   for (int step = 0; step < 3; ++step) cycle.advance(agents, rules, report);
@@ -164,7 +157,7 @@ TEST(CellCycle, PhasesThatAreWholeNumbersOfStepsTakeAsMany) {
   for (const double step : {0.1 * hour, 0.3 * hour, 0.7 * hour, 1.1 * hour}) {
     for (int g1 = 1; g1 <= 60; ++g1) {
       const int sg2m = 61 - g1;
-      const CellCycle cycle(exactly(g1 * step, sg2m * step), 1, step);
+      const CellCycle cycle(phases(g1 * step, sg2m * step), 1, step);
       AgentStore agents = oneCell();
       CycleReport report;
       for (int k = 1; k < g1; ++k) cycle.advance(agents, rules, report);
@@ -180,7 +173,7 @@ TEST(CellCycle, PhasesThatAreWholeNumbersOfStepsTakeAsMany) {
 }
 
 TEST(CellCycle, LosesTheRestWhereTheNextCheckpointHoldsTheCell) {
-  const CellCycle cycle(exactly(16 * hour, 16 * hour), 1, hour);
+  const CellCycle cycle(phases(16 * hour, 16 * hour), 1, hour);
   AgentStore agents = oneCell();
   agents.clock[0] = 0.5 * hour;
   agents.set(0, inhibited, true);
@@ -190,7 +183,7 @@ TEST(CellCycle, LosesTheRestWhereTheNextCheckpointHoldsTheCell) {
 }
 
 TEST(CellCycle, ReturnsDividingCellsInTheOrderOfTheirIds) {
-  const CellCycle cycle(exactly(0, 0), 1, hour);
+  const CellCycle cycle(phases(0, 0), 1, hour);
   AgentStore agents;
   for (int n = 0; n < 3; ++n) {
     agents.append(AgentKind::smc, Vec3::Zero(), r);

@@ -62,20 +62,15 @@ TEST(ForceCache, IsStaleWhereAnAgentThatMovedActsOrActed) {
   }
 }
 
-TEST(ForceCache, IsStaleWhereAnAgentGrew) {
-  Line line;
-  line.stale();
-  line.agents.radius[3] *= 1.01;
-  line.forces->refresh();
-  EXPECT_EQ(line.stale(), (Agents{2, 3, 4}));
-}
-
-TEST(ForceCache, IsStaleForPartnersOfBondsHoweverFar) {
-  Line line;
-  line.stale();
-  line.agents.radius[0] *= 1.01;
-  line.forces->refresh();
-  EXPECT_EQ(line.stale(), (Agents{0, 1, 19}));
+TEST(ForceCache, IsStaleWhereAnAgentGrewAndForPartnersOfBondsHoweverFar) {
+  const std::vector<std::pair<Index, Agents>> expected{{3, {2, 3, 4}}, {0, {0, 1, 19}}};
+  for (const auto& [grown, stale] : expected) {
+    Line line;
+    line.stale();
+    line.agents.radius[grown] *= 1.01;
+    line.forces->refresh();
+    EXPECT_EQ(line.stale(), stale);
+  }
 }
 
 TEST(ForceCache, IsStaleForNewAgentsAndThoseTheyTouch) {

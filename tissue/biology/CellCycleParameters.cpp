@@ -33,7 +33,7 @@ void CellCycleParameters::describe(ParameterVisitor& p) {
                                     .maximum = 1,
                                     .source = "ISR3D",
                                     .description = "displacement of mother and daughter from "
-                                                   "the mother's centre over her radius"});
+                                                   "the mother's centre over its radius"});
 }
 
 }  // namespace restenosis
