@@ -18,11 +18,7 @@ function(precompiled_headers NAME)
 endfunction()
 
 # Unit tests run for milliseconds each and are half of what is compiled: they are optimised less, which is faster in sum.
-# Under sanitizers they are not optimised: that takes half as long to compile.
 set(RESTENOSIS_UNIT_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
-if(RESTENOSIS_SANITIZE)
-  set(RESTENOSIS_UNIT_TEST_OPTIONS -O0)
-endif()
 
 if(RESTENOSIS_PRECOMPILED_HEADERS)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
