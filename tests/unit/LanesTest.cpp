@@ -25,7 +25,7 @@ TEST(Lanes, AreStoredAddedAndCompared) {
   EXPECT_EQ(copy[0], 0);
   EXPECT_EQ(copy[5], 0);
   EXPECT_EQ(four.sum(), 11);
-  EXPECT_EQ(four.largest(), 7);
+  EXPECT_EQ(four.smallest(), -1);
 }
 
 TEST(Lanes, JoinVectorsOfEightInTheirOrder) {

@@ -80,11 +80,6 @@ class Numbers {
     for (int k = 1; k < n; ++k) least = v_[k] < least ? v_[k] : least;
     return least;
   }
-  Real largest() const {
-    Real most = v_[0];
-    for (int k = 1; k < n; ++k) most = v_[k] > most ? v_[k] : most;
-    return most;
-  }
   /// These where `mask` is set, 0 elsewhere.
   Numbers where(const Mask& mask) const { return Numbers(Vector(mask ? v_ : Vector{})); }
 

@@ -43,7 +43,6 @@ class ForceCache {
   bool isFree(Index i) const {
     return !agents_.has(i, AgentFlag::fixed) && agents_.kind[i] != AgentKind::strut;
   }
-  const NeighbourList& neighbours() const { return neighbours_; }
   const BondTable& bonds() const { return bonds_; }
   /// AgentForce::residual of agent i when it was last evaluated.
   double residual(Index i) const { return residual_[i]; }
