@@ -252,7 +252,7 @@ TEST(Relaxation, WorksWhereSomethingGrows) {
   block.agents.radius[grown] *= 1.02;
   const auto report = relaxation.relax(block.agents, block.bonds, {});
   EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
-  // One evaluation of all to see who is restless; the rest near the grown cell only.
+  // One evaluation of all to see which are above the tolerance; the rest near the grown cell only.
   const std::uint64_t everyoneOnce = countFree(block.agents);
   ASSERT_GT(report.iterations, 5);
   EXPECT_LT(report.agentEvaluations - everyoneOnce, 0.2 * report.iterations * everyoneOnce);
@@ -331,7 +331,7 @@ TEST(Relaxation, MovesAllAgentsWithoutAnActiveSet) {
   EXPECT_LE(largestResidual(p, block), p.relaxation.tolerance);
 }
 
-TEST(Relaxation, LetsThoseAtRestSleepWhileAFewStillMove) {
+TEST(Relaxation, DeactivatesThoseAtRestWhileAFewStillMove) {
   // All of a long column is disturbed a little, one agent much.
   Mechanics p;
   Block column(10, true, 200);
