@@ -27,6 +27,9 @@ constexpr std::size_t fewAgents = 500;
 // may have changed are verified before the iteration ends.
 constexpr float pathUntilReview = 1;
 
+// The neighbours of an agent are fetched so many agents before they are read.
+constexpr std::size_t agentsAhead = 8;
+
 // Of what is added to a path or subtracted from a margin: single precision errs by less.
 constexpr float longer = 1 + 1e-5F;
 constexpr double shorter = 1 - 1e-5;
@@ -146,6 +149,7 @@ bool Equilibration::review() {
   active_.forEach([&](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
     const auto tolerance = static_cast<float>(parameters_.tolerance);
     for (std::size_t k = 0; k < agents.size(); ++k) {
+      if (k + agentsAhead < agents.size()) forces_.prefetch(agents[k + agentsAhead]);
       if (chunk.unreviewed[k] < pathUntilReview * tolerance * chunk.radius[k]) continue;
       chunk.unreviewed[k] = 0;
       // Listed ones out of range are left out, so that the agents reviewed do not depend on the list.
@@ -163,6 +167,7 @@ bool Equilibration::verify() {
   forEachInChunks(active_.size(), [this](std::size_t place) { forces_.store(active_, place); });
   active_.forEach([this](ActiveChunk& chunk, std::span<const Index> agents, std::size_t) {
     for (std::size_t k = 0; k < agents.size(); ++k) {
+      if (k + agentsAhead < agents.size()) forces_.prefetch(agents[k + agentsAhead]);
       forces_.markAround(agents[k], chunk.path[k]);
       chunk.path[k] = 0;
     }
@@ -224,6 +229,7 @@ void Equilibration::deactivateConverged() {
   std::vector<Index> agents(leaving.size());
   forEachInChunks(leaving.size(), [&](std::size_t k) {
     const std::size_t place = leaving[k];
+    if (k + agentsAhead < leaving.size()) forces_.prefetch(active_.agents()[leaving[k + agentsAhead]]);
     agents[k] = active_.agents()[place];
     forces_.markAround(agents[k], active_.chunkOf(place).path[ActiveSet::inChunk(place)]);
   });

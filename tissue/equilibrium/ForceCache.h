@@ -65,6 +65,8 @@ class ForceCache {
 
   /// Whether the pair of agents i and j acts, or may have acted before i moved by `slack` [m].
   bool mayAct(Index i, Index j, double slack) const;
+  /// Fetches the neighbours and bonds of agent i. Speed only: some 5 % of a relaxation.
+  void prefetch(Index i) const { field_.pairs(agents_, neighbours_, bonds_).prefetch(i); }
   /// Agent i has moved by at most `slack` [m]: it is stale, and so are those on which it acts or acted.
   /// Several threads may call it.
   void markAround(Index i, double slack);

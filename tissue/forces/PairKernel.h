@@ -38,14 +38,15 @@ class PairKernel {
     std::array<AgentLoad, lanes> ofLanes;
     for (std::size_t first = 0; first < agents.size(); first += lanes) {
       const auto entries = list.entries(first / PairList::width);
+      const auto attractions = list.attractions(first / PairList::width);
       const std::size_t lane = first % PairList::width;
       const std::size_t count = std::min<std::size_t>(lanes, agents.size() - first);
       for (std::size_t n = 0; n < count; ++n) self[n] = agents[list[first + n]];
       std::fill(self.begin() + count, self.end(), self[0]);  // lanes beyond the last have no pairs
       prefetchNext(list, agents, first + lanes);
-      const Values nearest2 = sum<false>(entries, lane, self, ofLanes);
+      const Values nearest2 = sum<false>(entries, attractions, lane, self, ofLanes);
       if (nearest2.smallest() == 0) [[unlikely]]
-        separate(entries, lane, self, nearest2, ofLanes);
+        separate(entries, attractions, lane, self, nearest2, ofLanes);
       for (std::size_t n = 0; n < count; ++n) loads[list[first + n]] = ofLanes[n];
     }
   }
@@ -73,11 +74,11 @@ class PairKernel {
 
   /// Sets the loads of those agents that coincide with a partner. Those of the others are left as they
   /// are: no bit of them may depend on the agents of other lanes.
-  void separate(std::span<const PairList::Entry> entries, std::size_t lane,
+  void separate(std::span<const PairList::Entry> entries, PairList::Attractions attractions, std::size_t lane,
                 const std::array<Index, lanes>& self, const Values& nearest2,
                 std::array<AgentLoad, lanes>& loads) const {
     std::array<AgentLoad, lanes> separated;
-    sum<true>(entries, lane, self, separated);
+    sum<true>(entries, attractions, lane, self, separated);
     for (int k = 0; k < lanes; ++k)
       if (nearest2[k] == 0) loads[k] = separated[k];
   }
@@ -86,8 +87,8 @@ class PairKernel {
   /// of the nearest partner [m^2], or of a metre; where it is 0 the loads are right only if `separated` is
   /// set.
   template <bool separated>
-  Values sum(std::span<const PairList::Entry> entries, std::size_t lane, const std::array<Index, lanes>& self,
-             std::array<AgentLoad, lanes>& loads) const {
+  Values sum(std::span<const PairList::Entry> entries, PairList::Attractions attractions, std::size_t lane,
+             const std::array<Index, lanes>& self, std::array<AgentLoad, lanes>& loads) const {
     const auto here = spheres_.at(self.data());
     const bool isotropic = attraction_.axialFactor == 1;
     Values fx = 0, fy = 0, fz = 0, virial = 0, stiffness = 0, nearest2 = Real{1};
@@ -110,15 +111,18 @@ class PairKernel {
       stiffness += slope;
 
       const Values rest = Values::from(entries[n].restLength.data() + lane);
-      // Where the direction does not matter the division is saved: the result is the same.
-      const Values cosine = isotropic ? Values(0) : dz / distance;
-      attraction_.evaluate(distance, rest.abs(), radii, cosine * cosine, pull, slope);
-      push -= pull;
-      stiffness += slope;
-
-      cohesion_.evaluate(distance - radii, radii, pull, slope);
-      push -= pull.where(rest < Real{0});
-      stiffness += slope.where(rest < Real{0});
+      if (attractions.bonds) {
+        // Where the direction does not matter the division is saved: the result is the same.
+        const Values cosine = isotropic ? Values(0) : dz / distance;
+        attraction_.evaluate(distance, rest.abs(), radii, cosine * cosine, pull, slope);
+        push -= pull;
+        stiffness += slope;
+      }
+      if (attractions.cohesion) {
+        cohesion_.evaluate(distance - radii, radii, pull, slope);
+        push -= pull.where(rest < Real{0});
+        stiffness += slope.where(rest < Real{0});
+      }
 
       const Values overDistance = push / distance;
       fx += overDistance * dx;

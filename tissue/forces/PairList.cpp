@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "tissue/agents/Capacity.h"
@@ -27,6 +28,11 @@ void sortByKey(std::span<const std::uint8_t> keys, std::span<std::uint8_t> order
 }
 
 }  // namespace
+
+void PairList::Attractions::add(float restLength) {
+  bonds |= std::isfinite(restLength);
+  cohesion |= std::signbit(restLength);
+}
 
 void PairList::build(const PairSource& source, std::span<const Index> agents, Index none) {
   assert(agents.size() <= capacity);
@@ -57,7 +63,7 @@ void PairList::build(const PairSource& source, std::span<const Index> agents, In
     for (std::size_t lane = 0; lane < width; ++lane)
       longest = std::max(longest, listOf(s * width + lane).size());
     const auto length = static_cast<std::uint32_t>(longest);
-    slices_[s] = {.start = end, .length = length, .capacity = length + spareEntries};
+    slices_[s] = {.start = end, .length = length, .capacity = length + spareEntries, .attractions = {}};
     end += slices_[s].capacity;
   }
   if (end > entries_.capacity()) entries_ = {};  // what it holds need not be copied
@@ -72,6 +78,7 @@ void PairList::build(const PairSource& source, std::span<const Index> agents, In
         const Pair pair = m < lists[lane].size() ? lists[lane][m] : Pair{none, unbonded};
         entry.partner[lane] = pair.partner;
         entry.restLength[lane] = pair.restLength;
+        slices_[s].attractions.add(pair.restLength);
       }
     }
   }
@@ -90,6 +97,7 @@ bool PairList::replace(const PairSource& source, std::size_t k, Index i) {
     Entry& entry = entries_[slice.start + m];
     entry.partner[n % width] = pairs[m].partner;
     entry.restLength[n % width] = pairs[m].restLength;
+    slice.attractions.add(pairs[m].restLength);
   }
   return true;
 }

@@ -22,6 +22,11 @@ class PairList {
     std::array<Index, width> partner;     ///< beyond the end of an agent's list: none
     std::array<float, width> restLength;  ///< as Pair::restLength
   };
+  /// What the pairs of a slice have: what none of them has need not be computed.
+  struct Attractions {
+    bool bonds = false, cohesion = false;
+    void add(float restLength);
+  };
 
   /// `none`: an index that no agent has, that of a sphere that touches nothing.
   void build(const PairSource& source, std::span<const Index> agents, Index none);
@@ -34,6 +39,7 @@ class PairList {
   std::span<const Entry> entries(std::size_t slice) const {
     return std::span(entries_).subspan(slices_[slice].start, slices_[slice].length);
   }
+  Attractions attractions(std::size_t slice) const { return slices_[slice].attractions; }
   /// The place among the agents of the n-th in the order of the slices.
   std::size_t operator[](std::size_t n) const { return order_[n]; }
   std::size_t bytes() const { return entries_.size() * sizeof(Entry); }
@@ -41,6 +47,7 @@ class PairList {
  private:
   struct Slice {
     std::uint32_t start = 0, length = 0, capacity = 0;  ///< entries
+    Attractions attractions;
   };
 
   std::vector<Entry> entries_;

@@ -22,7 +22,7 @@ struct PairSource {
   const std::vector<std::uint8_t>& flags;  ///< of the agents
   bool cohesion;                           ///< whether daughters cohere
 
-  /// Fetches what append() reads of agent i. Speed only: some 5 % of a relaxation.
+  /// Fetches what append() reads of agent i. Speed only: some 5 % of a relaxation where pairs are listed.
   void prefetch(Index i) const {
     __builtin_prefetch(neighbours.of(i).data());
     __builtin_prefetch(bonds.of(i).data());
