@@ -113,12 +113,23 @@ struct EvaluatedHeap {
   ForceField field{parameters};
   Constraints constraints{{}};
   NeighbourList neighbours;
-  ForceCache::Settings settings{.leastStiffness = 1e-3, .skin = 0.4 * r, .mixed = FixedScale(r)};
   std::vector<AgentLoad> loads = field.evaluate(heap.agents, heap.bonds);
   double largest = 0;
+  ForceCache forces{heap.agents, heap.bonds,
+                    constraints, field,
+                    neighbours,  {.leastStiffness = 1e-3, .skin = 0.4 * r, .mixed = FixedScale(r)}};
+  ActiveSet active;
 
   EvaluatedHeap() {
+    forces.refresh();
+    active.reset(heap.agents.size());
     for (const AgentLoad& load : loads) largest = std::max(largest, load.force().norm());
+  }
+  void activate(const Agents& added) {
+    active.add(added, [&](ActiveChunk& chunk, std::size_t n, std::size_t k) {
+      const Index i = added[k];
+      chunk.set(n, heap.agents.kind[i], heap.agents.position(i), heap.agents.radius[i]);
+    });
   }
   void expectForce(const AgentForce& force, Index i) const {
     EXPECT_LT((Vec3(force.fx, force.fy, force.fz) - loads[i].force()).norm(), 2e-6 * largest) << i;
@@ -132,18 +143,14 @@ struct EvaluatedHeap {
 TEST(ForceCache, EvaluatesActiveAndInactiveAgentsAlike) {
   EvaluatedHeap at;
   AgentStore& agents = at.heap.agents;
-  ForceCache forces(agents, at.heap.bonds, at.constraints, at.field, at.neighbours, at.settings);
-  forces.refresh();
+  ForceCache& forces = at.forces;
+  ActiveSet& active = at.active;
   Agents some;
   for (Index i = 0; i < agents.size(); i += 2) some.push_back(i);
   const std::vector<AgentForce> inactive = forces.evaluate(some);
   EXPECT_EQ(forces.evaluations(), some.size());
 
-  ActiveSet active;
-  active.reset(agents.size());
-  active.add(some, [&](ActiveChunk& chunk, std::size_t n, std::size_t k) {
-    chunk.set(n, agents.kind[some[k]], agents.position(some[k]), agents.radius[some[k]]);
-  });
+  at.activate(some);
   forces.evaluate(active);
   EXPECT_EQ(forces.evaluations(), 2 * some.size());
   for (std::size_t k = 0; k < some.size(); ++k) {
@@ -159,15 +166,10 @@ TEST(ForceCache, EvaluatesActiveAndInactiveAgentsAlike) {
 TEST(ForceCache, FollowsAgentsThatMoveFartherThanTheSkin) {
   EvaluatedHeap at;
   AgentStore& agents = at.heap.agents;
-  ForceCache forces(agents, at.heap.bonds, at.constraints, at.field, at.neighbours, at.settings);
-  forces.refresh();
-  ActiveSet active;
-  active.reset(agents.size());
+  ForceCache& forces = at.forces;
+  ActiveSet& active = at.active;
   forces.extractStale(active);
-  const Agents mover{40};
-  active.add(mover, [&](ActiveChunk& chunk, std::size_t n, std::size_t) {
-    chunk.set(n, agents.kind[40], agents.position(40), agents.radius[40]);
-  });
+  at.activate({40});
   forces.evaluate(active);
 
   const Vec3 here = agents.position(40), there = agents.position(300) + Vec3(r, 0, 0);

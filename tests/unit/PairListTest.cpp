@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -109,6 +110,41 @@ TEST(PairList, IsSortedByLengthThenByPlace) {
     const std::size_t last = slice * PairList::width + PairList::width - 1;
     EXPECT_EQ(pairs.entries(slice).size(), keys[last].first) << slice;
   }
+}
+
+TEST(PairList, SaysWhichSlicesHaveBondsAndWhichCohere) {
+  const Tissue tissue(512);
+  const std::vector<Index> agents = everySecond(tissue);
+  PairList pairs;
+  pairs.build(tissue.source(), agents, tissue.none());
+  std::array<int, 2> bonded{}, cohering{};
+  for (std::size_t slice = 0; slice < pairs.slices(); ++slice) {
+    bool anyBond = false, anyCohesion = false;
+    for (std::size_t n = slice * PairList::width; n < (slice + 1) * PairList::width; ++n) {
+      for (const auto& [partner, rest] : listAt(pairs, n, tissue.none()))
+        anyBond |= std::isfinite(rest), anyCohesion |= rest < 0;
+    }
+    EXPECT_EQ(pairs.attractions(slice).bonds, anyBond) << slice;
+    EXPECT_EQ(pairs.attractions(slice).cohesion, anyCohesion) << slice;
+    ++bonded[anyBond], ++cohering[anyCohesion];
+  }
+  EXPECT_GT(bonded[1], 0);
+  EXPECT_GT(cohering[1], 0);
+}
+
+TEST(PairList, SaysThatASliceHasABondOnceOneIsListed) {
+  Tissue tissue(40);
+  tissue.bonds = {};
+  tissue.bonds.resize(tissue.agents.size());
+  for (Index i = 0; i < tissue.agents.size(); ++i) tissue.agents.set(i, AgentFlag::daughter, false);
+  const std::vector<Index> agents{0, 1, 2};
+  PairList pairs;
+  pairs.build(tissue.source(), agents, tissue.none());
+  EXPECT_FALSE(pairs.attractions(0).bonds || pairs.attractions(0).cohesion);
+  tissue.bonds.connect(1, 30, r);
+  tissue.agents.set(1, AgentFlag::daughter, true);
+  ASSERT_TRUE(pairs.replace(tissue.source(), 1, 1));
+  EXPECT_TRUE(pairs.attractions(0).bonds && pairs.attractions(0).cohesion);
 }
 
 TEST(PairList, HoldsListsOfAnyLength) {
