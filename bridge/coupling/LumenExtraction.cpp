@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bridge/surface/CylinderSurface.h"
+#include "bridge/surface/Histology.h"
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/LumenSurface.h"
 
@@ -41,7 +42,10 @@ void LumenExtraction::extract(LumenState& lumen) {
   } else {
     lumen.present = tubeMap(scene_.vessel);
   }
-  if (lumen.afterDeployment.planes() == 0) lumen.afterDeployment = lumen.present;
+  if (lumen.afterDeployment.planes() > 0) return;
+  lumen.afterDeployment = lumen.present;
+  if (const Histology histology(wall_.agents, wall_.cellRadius); histology.possible())
+    lumen.insideIelAfterDeployment = histology.insideIel(lumen.present);
 }
 
 void LumenExtraction::extractField() {

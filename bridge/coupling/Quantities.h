@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "bridge/coupling/AlikeRemarks.h"
 #include "bridge/flow/FlowBackend.h"
@@ -33,13 +34,15 @@ inline constexpr std::size_t quantityCount = 8;
 /// The lumen: its shape now, and after deployment. Empty for a lumen from a file: it has no radial map.
 struct LumenState {
   RadialMap present;
-  RadialMap afterDeployment;         ///< what neointima is measured against
+  RadialMap afterDeployment;  ///< what neointima is measured against
+  /// Histology::insideIel then, what intima is measured against; empty where nothing can be measured
+  std::vector<double> insideIelAfterDeployment;
   std::uint64_t detachedPieces = 0;  ///< pieces of tissue in the lumen that no flow sees
   bool closed = false;               ///< whether nothing open joins its ends
 
   template <class Archive>
   void archive(Archive& a) {
-    a(present, afterDeployment, detachedPieces, closed);
+    a(present, afterDeployment, insideIelAfterDeployment, detachedPieces, closed);
   }
 };
 

@@ -48,8 +48,15 @@ void RunReport::writeFinalLumen() const {
   std::optional<Neointima> neointima;
   if (state_.scene.hasTissue() && present.comparable(quantities_.lumen.afterDeployment))
     neointima = measureNeointima(quantities_.lumen.afterDeployment, present, 0.0, quantities_.wall.length);
+  std::vector<HistologySection> sections;
+  const AgentStore& agents = quantities_.wall.agents;
+  if (const std::vector<double>& before = quantities_.lumen.insideIelAfterDeployment; !before.empty())
+    if (const Histology histology(agents, quantities_.wall.cellRadius); histology.possible())
+      sections = histology.sections(present, before);
   for (int k = 0; k < present.planes(); ++k) {
     rows[k].z = present.z(k);
+    rows[k].matrix = agents.matrix.modelled();
+    if (!sections.empty()) rows[k].histology = sections[k];
     rows[k].lumenArea = present.lumenArea(k);
     if (!neointima) continue;
     rows[k].neointimaAreaFraction = neointima->areaFraction[k];

@@ -11,7 +11,9 @@ RunState::RunState(const Scene& s, const ResultsFolder& f, Progress& p)
       progress(p),
       quantities(emptyWall(s.vessel)),
       extraction(scene, quantities.wall, stent, timer),
-      biology(biologySettings(s)) {}
+      biology(biologySettings(s)) {
+  biology.model(quantities.wall.agents);
+}
 
 void RunState::remark(const std::string& text) {
   if (text.empty()) return;

@@ -11,6 +11,7 @@
 #include "tissue/stent/Deployment.h"
 #include "tissue/stent/EscapedAgents.h"
 #include "tissue/stent/InjuryRemark.h"
+#include "tissue/stent/TissueStrain.h"
 #include "tissue/vessel/WallPacking.h"
 #include "tissue/vessel/WallTable.h"
 
@@ -48,6 +49,7 @@ void WallPreparation::makeWall() {
   const std::string stage = vessel.agents.empty() ? "packing the wall" : "loading the wall";
   state_.progress.stage(stage, 0, 1);
   wall_ = initialWall();
+  state_.biology.model(wall_.agents);
   state_.progress.stage(stage, 1, 1);
   if (!vessel.agents.empty()) state_.remark(remarkOnOpenEnds(vessel, wall_.agents));
 }
@@ -73,6 +75,7 @@ Wall WallPreparation::initialWall() {
 void WallPreparation::deploy(std::int32_t& stepsDone, const std::function<void()>& afterStep) {
   const Scene& scene = state_.scene;
   auto measurement = state_.timer.measure("deploy");
+  if (state_.biology.hasActivation() && wall_.packedPlaces.empty()) notePackedPlaces();
   Deployment deployment(wall_, makeStent(*scene.stent, scene.vessel), *scene.stent, scene.vessel,
                         *scene.mechanics, *scene.relaxation, stepsDone);
   while (!deployment.done()) {
@@ -89,6 +92,13 @@ void WallPreparation::deploy(std::int32_t& stepsDone, const std::function<void()
   remarkOnContactLaw(state_, "after deployment");
 }
 
+void WallPreparation::notePackedPlaces() {
+  const AgentStore& agents = wall_.agents;
+  wall_.packedPlaces.reserve(3 * std::size_t{agents.size()});
+  for (Index i = 0; i < agents.size(); ++i)
+    wall_.packedPlaces.insert(wall_.packedPlaces.end(), {agents.x[i], agents.y[i], agents.z[i]});
+}
+
 void WallPreparation::injureAndConfine() {
   const Scene& scene = state_.scene;
   AgentStore& agents = wall_.agents;
@@ -96,9 +106,17 @@ void WallPreparation::injureAndConfine() {
     // The tissue outside is stiff: the EEL holds its place while cells grow (ISR3D).
     if (agents.kind[i] == AgentKind::eel) agents.set(i, fixed, true);
   }
+  if (!wall_.packedPlaces.empty())
+    state_.biology.stretch(agents, strainAroundVessel(agents, wall_.packedPlaces));
+  wall_.packedPlaces = std::vector<double>();
   if (scene.injury) {
     state_.injury = injure(wall_, *scene.injury, static_cast<std::uint64_t>(scene.scene.seed));
     state_.remark(remarkOnInjury(*state_.injury, *scene.injury));
+  }
+  const Index byStretch = state_.biology.begin(agents);
+  if (state_.injury) {
+    state_.injury->syntheticByStretch = byStretch;
+    state_.injury->synthetic += byStretch;
   }
   state_.confinement = OuterConfinement(agents, scene.vessel.cellRadius);
   state_.quantities.countChange(Quantity::cellStates);

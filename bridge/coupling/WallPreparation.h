@@ -30,6 +30,7 @@ class WallPreparation {
 
  private:
   Wall initialWall();
+  void notePackedPlaces();
 
   RunState& state_;
   Wall& wall_;

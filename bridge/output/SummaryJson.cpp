@@ -69,7 +69,8 @@ Json injury(const Summary& summary) {
           {"removedIelAgents", done.removed},
           {"ielBonds", done.ielBonds},
           {"brokenIelBonds", done.brokenBonds},
-          {"syntheticCells", done.synthetic}};
+          {"syntheticCells", done.synthetic},
+          {"syntheticCellsByStretch", done.syntheticByStretch}};
 }
 
 Json flowSolves(const Summary& summary) {

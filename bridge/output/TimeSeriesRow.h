@@ -30,6 +30,12 @@ struct TimeSeriesRow {
   std::optional<double> wssP5, wssP50, wssP95;  ///< area-weighted percentiles over the wall [Pa]
   std::optional<double> nitricOxideMean;        ///< over covered cells [nmol/mm^3]
   std::optional<double> stressMean;             ///< mean structural stress of the SMC [Pa]
+  // As histology measures it (Histology), over the stented section; empty without both laminae.
+  std::optional<double> intimaArea, mediaArea;  ///< mean of the sections [m^2]
+  std::optional<double> relativeIntimaArea;     ///< intima / (intima + lumen), mean of the sections
+  std::optional<double> intimaCells;            ///< smooth muscle cells of the intima
+  std::optional<double> intimaInCycle;          ///< share of these in G1 to M
+  std::optional<double> intimaMatrixShare;      ///< of the volume of these, what is matrix
 
   /// Calls f(column, value, scale) for every column in the order of the file; value times scale is written.
   template <class F>
@@ -52,6 +58,10 @@ struct TimeSeriesRow {
     f("wssP5_Pa", wssP5, 1.0), f("wssP50_Pa", wssP50, 1.0), f("wssP95_Pa", wssP95, 1.0);
     f("nitricOxideMean_nmolPerMm3", nitricOxideMean, 1.0);
     f("stressMean_Pa", stressMean, 1.0);
+    f("intimaArea_mm2", intimaArea, 1e6), f("mediaArea_mm2", mediaArea, 1e6);
+    f("relativeIntimaArea", relativeIntimaArea, 1.0);
+    f("intimaCells", intimaCells, 1.0), f("intimaInCycle", intimaInCycle, 1.0);
+    f("intimaMatrixShare", intimaMatrixShare, 1.0);
   }
   template <class F>
   void forEachColumn(F&& f) const {

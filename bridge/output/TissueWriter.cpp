@@ -58,6 +58,16 @@ void writeTissue(const std::filesystem::path& file, const AgentStore& agents, do
   floats("stress", agents.stress);
   floats("NO", agents.nitricOxide);
   floats("wss", agents.wss);
+  const auto optional = [&](const char* name, const OptionalArray<float>& values) {
+    if (!values.modelled()) return;
+    addArray<vtkFloatArray>(arrays, name, n, 1, [&values](std::size_t i, int) { return values[i]; });
+  };
+  optional("activation", agents.activation);
+  optional("endotheliumMaturity", agents.maturity);
+  if (agents.matrix.modelled()) {
+    addArray<vtkFloatArray>(arrays, "matrixShare", n, 1,
+                            [&](std::size_t i, int) { return agents.matrixShare(static_cast<Index>(i)); });
+  }
   for (const auto& [name, flag] : flagArrays)
     bytes(name, [&, bit = flag](std::size_t i, int) { return agents.has(static_cast<Index>(i), bit); });
   addArray<vtkUnsignedIntArray>(arrays, "generation", n, 1,

@@ -10,9 +10,11 @@
 #include "bridge/flow/foam/FoamSettings.h"
 #include "bridge/flow/lbm/LbmSettings.h"
 #include "bridge/scene/RunParameters.h"
+#include "tissue/biology/ActivationParameters.h"
 #include "tissue/biology/CellCycleParameters.h"
 #include "tissue/biology/ContactInhibitionParameters.h"
 #include "tissue/biology/EndotheliumParameters.h"
+#include "tissue/biology/ExtracellularMatrixParameters.h"
 #include "tissue/equilibrium/RelaxationParameters.h"
 #include "tissue/forces/MechanicsParameters.h"
 #include "tissue/stent/InjuryParameters.h"
@@ -33,6 +35,8 @@ struct Scene {
   std::optional<MechanicsParameters> mechanics;
   std::optional<RelaxationParameters> relaxation;  ///< with `mechanics`; its defaults where it is not given
   std::optional<CellCycleParameters> cellCycle;
+  std::optional<ActivationParameters> activation;
+  std::optional<ExtracellularMatrixParameters> extracellularMatrix;
   std::optional<ContactInhibitionParameters> contactInhibition;
   std::optional<EndotheliumParameters> endothelium;
   std::optional<FlowParameters> flow;
@@ -70,6 +74,8 @@ void Scene::forEachOptionalSection(F&& f) {
   f(mechanics);
   f(relaxation);
   f(cellCycle);
+  f(activation);
+  f(extracellularMatrix);
   f(contactInhibition);
   f(endothelium);
   f(flow);

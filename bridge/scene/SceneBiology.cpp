@@ -8,6 +8,8 @@ namespace restenosis {
 BiologySettings biologySettings(const Scene& scene) {
   BiologySettings settings;
   settings.cellCycle = scene.cellCycle;
+  settings.activation = scene.activation;
+  settings.extracellularMatrix = scene.extracellularMatrix;
   settings.contactInhibition = scene.contactInhibition;
   settings.endothelium = scene.endothelium;
   settings.denuded = !scene.injury || scene.injury->denuded();

@@ -82,6 +82,14 @@ Finding inhibitionWithoutCycle(const Scene& s, const Units&) {
   return needs(s.contactInhibition.has_value(), s.cellCycle.has_value(), "contactInhibition", "cellCycle",
                "there is nothing to inhibit");
 }
+Finding activationWithoutCycle(const Scene& s, const Units&) {
+  return needs(s.activation.has_value(), s.cellCycle.has_value(), "activation", "cellCycle",
+               "it tells cells when to cycle");
+}
+Finding matrixWithoutCycle(const Scene& s, const Units&) {
+  return needs(s.extracellularMatrix.has_value(), s.cellCycle.has_value(), "extracellularMatrix", "cellCycle",
+               "synthetic cells lay it down");
+}
 Finding endotheliumWithoutCycle(const Scene& s, const Units&) {
   return needs(s.endothelium.has_value(), s.cellCycle.has_value(), "endothelium", "cellCycle",
                "its nitric oxide stops the cycle of cells");
@@ -142,6 +150,17 @@ Finding phasesBelowZero(const Scene& s, const Units& u) {
       shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
 }
 
+Finding recruitmentBesideActivation(const Scene& s, const Units&) {
+  if (!s.activation || !s.cellCycle || s.cellCycle->recruitment == 0) return {};
+  return "'recruitment' in [cellCycle] and [activation] both say when cells leave rest; take one of them out";
+}
+
+Finding stretchReversed(const Scene& s, const Units&) {
+  if (!s.activation || s.activation->stretchOnset <= s.activation->stretchFull) return {};
+  return fmt::format("'stretchFull' in [activation] is {:g}, below stretchOnset ({:g})",
+                     s.activation->stretchFull, s.activation->stretchOnset);
+}
+
 Finding nitricOxideFalls(const Scene& s, const Units&) {
   if (!s.endothelium) return {};
   std::string problem = NitricOxide::problem(*s.endothelium);
@@ -197,6 +216,8 @@ const std::vector<Check>& checks() {
       {{"injury", "mechanics"}, injuryWithoutTissue},
       {{"cellCycle", "mechanics"}, cellCycleWithoutTissue},
       {{"contactInhibition", "cellCycle"}, inhibitionWithoutCycle},
+      {{"activation", "cellCycle"}, activationWithoutCycle},
+      {{"extracellularMatrix", "cellCycle"}, matrixWithoutCycle},
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
@@ -209,6 +230,8 @@ const std::vector<Check>& checks() {
         "vessel.packingFraction", "vessel.agents", "mechanics"},
        tooManyAgents},
       {{"cellCycle.g1Spread", "cellCycle.g1Mean"}, phasesBelowZero},
+      {{"cellCycle.recruitment", "activation"}, recruitmentBesideActivation},
+      {{"activation.stretchFull", "activation.stretchOnset"}, stretchReversed},
       {{"endothelium.nitricOxideTransition", "endothelium.nitricOxideSlope",
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},

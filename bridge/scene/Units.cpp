@@ -30,6 +30,7 @@ constexpr std::pair<std::string_view, std::string_view> dimensionNames[] = {
     {"s", "a time"},
     {"kg m^-1 s^-2", "a pressure or stress"},
     {"kg m^-2 s^-2", "a pressure gradient"},
+    {"s^-1", "a rate"},
     {"m s^-1", "a velocity"},
     {"m^2 s^-1", "a kinematic viscosity"},
     {"kg m^-3", "a density"},

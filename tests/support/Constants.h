@@ -15,7 +15,7 @@ inline constexpr double r = 15e-6;
 inline constexpr double R = r / 2, modulus = 0.2e6;
 using restenosis::um;
 /// [s]
-inline constexpr double hour = 3600;
+inline constexpr double hour = 3600, oneDay = 24 * hour;
 /// Of a straight vessel [m].
 inline constexpr double vesselRadius = 0.9e-3, vesselLength = 1.2e-3;
 inline constexpr double pi = std::numbers::pi;

@@ -170,7 +170,7 @@ void SyntheticResults::write(const std::filesystem::path& folder) const {
   std::vector<ProfileRow> profile;
   for (int i = 0; i <= 60; ++i) {
     const double z = length * i / 60, r = lumenRadius(z, pi / 2, 1), before = lumenRadius(z, pi / 2, 0);
-    profile.push_back({z, pi * r * r, 1 - r * r / (before * before), before - r});
+    profile.push_back({z, pi * r * r, 1 - r * r / (before * before), before - r, {}, false});
   }
   writeProfileCsv(folder / "profile.csv", profile);
   atomicWrite(folder / "scene.toml", "[scene]\ntitle = \"Synthetic\"\n");

@@ -54,5 +54,20 @@ TEST(NeighbourCountLaw, WeighsAndCountsWithinItsRange) {
   EXPECT_FALSE(inhibited({eel, smc, smc}, 3.01));
 }
 
+TEST(StressLaw, InhibitsAboveItsThresholdWhateverTheNeighbours) {
+  ContactInhibitionParameters parameters;
+  parameters.law = "stress";
+  for (const double threshold : {0.0, 5000.0, 1e9}) {
+    parameters.stressThreshold = threshold;
+    const auto law = makeContactInhibitionLaw(parameters);
+    EXPECT_TRUE(law->readsStress());
+    for (const bool isExposed : {false, true}) {
+      EXPECT_FALSE(law->inhibits({1, isExposed, {}, -50000}));
+      EXPECT_FALSE(law->inhibits({1, isExposed, {}, threshold}));
+      EXPECT_TRUE(law->inhibits({1, isExposed, {}, threshold + 1}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace restenosis

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -20,10 +21,25 @@ TEST(EndotheliumScenario, GivesTheStatedCoverage) {
   EXPECT_EQ(coverage("3-23 days", 500), 1.0);
   EXPECT_EQ(coverage("slow linear", 0), 0.0);
   EXPECT_NEAR(coverage("slow linear", 11.5), 0.5, 1e-12);
+  for (const char* name : {"fast", "normal", "slow"}) {
+    EXPECT_EQ(coverage(name, 0), 0.0);
+    EXPECT_NEAR(coverage(name, 1.5), 0.295, 1e-12) << name;
+    EXPECT_NEAR(coverage(name, 3), 0.59, 1e-12) << name;
+  }
+  EXPECT_NEAR(coverage("fast", 6.5), 0.795, 1e-12);
   EXPECT_EQ(coverage("fast", 10), 1.0);
   EXPECT_EQ(coverage("normal", 15), 1.0);
   EXPECT_EQ(coverage("slow", 20), 1.0);
   EXPECT_EQ(coverage("none", 1e6), 0.0);
+}
+
+TEST(EndotheliumScenario, HasNoneBeforeItsOnset) {
+  for (const auto& scenario : endotheliumScenarios()) {
+    EXPECT_EQ(scenario.coverage(scenario.onset() - 1), 0.0) << scenario.name;
+    if (std::isfinite(scenario.onset())) {
+      EXPECT_GT(scenario.coverage(scenario.onset() + 3600), 0.0) << scenario.name;
+    }
+  }
 }
 
 TEST(EndotheliumScenario, NeverFalls) {

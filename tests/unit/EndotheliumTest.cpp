@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "tissue/biology/Endothelium.h"
 
 namespace restenosis {
@@ -78,6 +81,37 @@ TEST(Endothelium, CoversAllFromTheStartWithoutDenudation) {
 }
 
 TEST(Endothelium, KnowsWhenItSetsIn) { EXPECT_EQ(Endothelium({}, 1, true).onset(), 3 * day); }
+
+TEST(Endothelium, MaturesByItsAge) {
+  EndotheliumParameters parameters;
+  parameters.maturationTime = 10 * day;
+  AgentStore agents = exposedCells(1000);
+  agents.maturity.model(agents.size());
+  const Endothelium endothelium(parameters, 1, true);
+  const int hours = 20 * 24;
+  std::vector<double> age(agents.size(), 0.0);
+  for (int n = 0; n < hours; ++n) {
+    endothelium.apply(agents, 3600.0 * n);
+    endothelium.mature(agents, 3600);
+    for (Index i = 0; i < agents.size(); ++i) age[i] += agents.has(i, covered) ? 3600 : 0;
+  }
+  for (Index i = 0; i < agents.size(); ++i)
+    EXPECT_NEAR(agents.maturity[i], -std::expm1(-age[i] / parameters.maturationTime), 1e-5) << i;
+}
+
+TEST(Endothelium, IsMatureWhereDeploymentLeftIt) {
+  EndotheliumParameters parameters;
+  parameters.maturationTime = 10 * day;
+  AgentStore agents = exposedCells(2);
+  agents.maturity.model(agents.size());
+  agents.set(0, covered, true);
+  const Endothelium endothelium(parameters, 1, false);
+  endothelium.begin(agents);
+  EXPECT_EQ(agents.maturity[0], 1);
+  EXPECT_EQ(agents.maturity[1], 0);
+  endothelium.apply(agents, 0);  // the rest of it grows over what becomes exposed
+  EXPECT_EQ(agents.maturity[1], 1);
+}
 
 }  // namespace
 }  // namespace restenosis

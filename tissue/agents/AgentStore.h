@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "tissue/agents/OptionalArray.h"
 
 namespace restenosis {
 
@@ -44,11 +47,27 @@ struct AgentStore {
   std::vector<double> wss;  ///< wall shear stress received [Pa]
   std::vector<double> nitricOxide;  ///< [nmol/mm^3]
   std::vector<double> stress;       ///< minus a third of the trace of its virial stress [Pa]
+  OptionalArray<float> activation;  ///< how far a cell has been told to grow, 0 to 1 (model 5)
+  /// Of the matrix that a cell has laid down around itself, over 4 pi / 3 [m^3]: the agent's radius is
+  /// cbrt(cellRadius^3 + matrix) (model 5)
+  OptionalArray<float> matrix;
+  OptionalArray<float> maturity;  ///< of a cell's endothelium, 0 to 1 (model 7)
   AgentId nextId = 0;
 
   Index size() const { return static_cast<Index>(x.size()); }
   Vec3 position(Index i) const { return {x[i], y[i], z[i]}; }
   void setPosition(Index i, const Vec3& p) { x[i] = p.x(), y[i] = p.y(), z[i] = p.z(); }
+  /// Radius of a cell without its matrix [m].
+  double cellRadius(Index i) const {
+    return matrix[i] > 0 ? std::cbrt(radius[i] * radius[i] * radius[i] - matrix[i]) : radius[i];
+  }
+  /// Share of an agent's volume that is matrix.
+  double matrixShare(Index i) const { return matrix[i] / (radius[i] * radius[i] * radius[i]); }
+  /// Sets the radius of a cell and the matrix around it.
+  void setCell(Index i, double cell, float matrixAround) {
+    radius[i] = matrixAround > 0 ? std::cbrt(cell * cell * cell + matrixAround) : cell;
+    if (matrix.modelled()) matrix.set(i, matrixAround);
+  }
   bool has(Index i, AgentFlag flag) const { return (flags[i] & flag) != 0; }
   void set(Index i, AgentFlag flag, bool on) {
     flags[i] = static_cast<std::uint8_t>(on ? flags[i] | flag : flags[i] & ~flag);
@@ -67,7 +86,7 @@ struct AgentStore {
   template <class Archive>
   void archive(Archive& a) {
     a(id, x, y, z, radius, kind, state, flags, clock, g1Duration, birthRadius, generation, wss, nitricOxide,
-      stress, nextId);
+      stress, nextId, activation, matrix, maturity);
   }
 
  private:
@@ -75,6 +94,8 @@ struct AgentStore {
   void forEachArray(F&& f) {
     f(id), f(x), f(y), f(z), f(radius), f(kind), f(state), f(flags), f(clock), f(g1Duration), f(birthRadius),
         f(generation), f(wss), f(nitricOxide), f(stress);
+    for (auto* optional : {&activation, &matrix, &maturity})
+      if (optional->modelled()) f(optional->values());
   }
 };
 

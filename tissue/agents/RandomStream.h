@@ -18,7 +18,8 @@ enum class RandomPurpose : std::uint32_t {
   divisionDirection = 4,
   fenestration = 5,
   endotheliumSeeding = 6,
-  recruitment = 7
+  recruitment = 7,
+  activation = 8
 };
 
 /// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011): a draw is a function of (seed, agent,

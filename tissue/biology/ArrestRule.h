@@ -25,6 +25,11 @@ class ArrestRule {
   virtual bool readsWssOf(const AgentStore&, Index) const { return readsWss(); }
   /// The WSS [Pa] at and above which the answer stays the same.
   virtual double decidingWss() const { return std::numeric_limits<double>::infinity(); }
+  /// Whether a small change of wall shear stress may change the answer for this cell: whether it has less
+  /// than `margin` times the stress that decides.
+  virtual bool undecided(const AgentStore& agents, Index cell, double margin) const {
+    return agents.wss[cell] < margin * decidingWss();
+  }
   /// Why wall shear stress enters no answer until `time` [s after deployment], or empty.
   virtual std::string readsNoWssUntil(double /*time*/) const { return {}; }
 

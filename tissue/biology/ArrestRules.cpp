@@ -88,7 +88,7 @@ std::vector<Index> ArrestRules::undecidedCells(const AgentStore& agents, double 
   for (Index i = 0; i < agents.size(); ++i) {
     if (!wssMayChange(agents, i)) continue;
     const bool undecided = std::ranges::any_of(rules_, [&](const auto& rule) {
-      return rule->readsWssOf(agents, i) && agents.wss[i] < margin * rule->decidingWss();
+      return rule->readsWssOf(agents, i) && rule->undecided(agents, i, margin);
     });
     if (undecided) cells.push_back(i);
   }

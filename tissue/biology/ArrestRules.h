@@ -42,7 +42,7 @@ class ArrestRules {
   /// some rule reads its stress, and none of the others arrests it.
   bool wssMayChange(const AgentStore& agents, Index cell) const;
   /// Cells for which a small change of wall shear stress may change the state: those of wssMayChange() with
-  /// less than `margin` times the WSS that decides (ArrestRule::decidingWss). A cell with more stays
+  /// less than `margin` times the WSS that decides (ArrestRule::undecided). A cell with more stays
   /// arrested.
   std::vector<Index> undecidedCells(const AgentStore& agents, double margin) const;
 

@@ -6,12 +6,14 @@
 
 #include "tissue/agents/AgentStore.h"
 #include "tissue/agents/BondTable.h"
+#include "tissue/biology/Activation.h"
 #include "tissue/biology/ArrestRules.h"
 #include "tissue/biology/BiologySettings.h"
 #include "tissue/biology/CellCycle.h"
 #include "tissue/biology/ContactInhibition.h"
 #include "tissue/biology/Division.h"
 #include "tissue/biology/Endothelium.h"
+#include "tissue/biology/ExtracellularMatrix.h"
 #include "tissue/biology/NitricOxide.h"
 
 namespace restenosis {
@@ -19,12 +21,22 @@ namespace restenosis {
 /// The biological rules of a scene (model 5 to 7), in the parts that a step calls in the order of model 9:
 /// updateEndothelium, updateNitricOxide, updateInhibition, advanceCycle. Endothelium settles on cells that
 /// the last updateInhibition found exposed, so call that once before the first step. Each part reads the
-/// state that the earlier ones left; its result does not depend on the order of agents or on threads.
+/// state that the earlier ones left; its result does not depend on the order of agents or on threads. Before
+/// all of them the agents get what the scene models (model, stretch, begin).
 class Biology {
  public:
   /// Throws std::invalid_argument for an unknown law or scenario and for nitric oxide that falls with WSS.
   explicit Biology(const BiologySettings& settings,
                    std::span<const MakeArrestRule> rules = arrestRuleTable());
+
+  /// Gives agents the quantities that the scene models beside those that all have.
+  void model(AgentStore& agents) const;
+  /// The wall has been deployed, and is not injured yet. `strain`: of the tissue around the vessel, by agent.
+  void stretch(AgentStore& agents, std::span<const double> strain) const;
+  /// The wall has been injured: activates cells, and takes endothelium that is left as mature. Returns how
+  /// many cells are synthetic by stretch alone.
+  Index begin(AgentStore& agents) const;
+  bool hasActivation() const { return activation_.has_value(); }
 
   bool hasCycle() const { return cycle_.has_value(); }
   bool hasEndothelium() const { return endothelium_.has_value(); }
@@ -37,8 +49,9 @@ class Biology {
   CoverageReport updateEndothelium(AgentStore& agents, double time) const;
   /// Sets nitric oxide from the WSS that agents hold.
   void updateNitricOxide(AgentStore& agents) const;
-  /// Advances the cells by the step that begins at `time` [s] (by default long after deployment) and
-  /// divides those that are due; `bonds` grows with the agents.
+  /// Advances the cells by the step that begins at `time` [s] (by default long after deployment), lets them
+  /// lay down matrix and divides those that are due; `bonds` grows with the agents. Activation and
+  /// endothelium grow older by a step.
   CycleReport advanceCycle(AgentStore& agents, BondTable& bonds,
                            double time = std::numeric_limits<double>::infinity()) const;
 
@@ -60,8 +73,12 @@ class Biology {
   ContactInhibition inhibition_;
   std::optional<Endothelium> endothelium_;
   std::optional<NitricOxide> nitricOxide_;
+  std::optional<Activation> activation_;
+  std::optional<ExtracellularMatrix> matrix_;
   std::optional<CellCycle> cycle_;
   std::optional<Division> division_;
+  double step_;
+  bool endotheliumMatures_;
 };
 
 }  // namespace restenosis

@@ -18,8 +18,9 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step)
-    : p_(parameters), seed_(seed), step_(step) {}
+CellCycle::CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
+                     const std::optional<Activation>& activation)
+    : p_(parameters), seed_(seed), step_(step), activation_(activation) {}
 
 double CellCycle::drawG1Duration(AgentId id, std::uint32_t generation) const {
   RandomStream random(seed_, id, generation, RandomPurpose::g1Duration);
@@ -33,6 +34,21 @@ double CellCycle::drawShareOfRecruitment(AgentId id) const {
 }
 
 double CellCycle::drawRecruitment(AgentId id) const { return drawShareOfRecruitment(id) * p_.recruitment; }
+
+double CellCycle::leftAfterEntry(const AgentStore& agents, Index i, double time) const {
+  double left = step_;
+  if (activation_) {
+    left += agents.clock[i];
+    return left - activation_->entry(agents, i, left, static_cast<std::uint32_t>(std::lround(time / step_)));
+  }
+  if (time < p_.recruitment && agents.generation[i] == 0) {
+    // From recruitment to the end of the step. fma: one rounding, whether or not the draw is inlined.
+    const double since = std::fma(-drawShareOfRecruitment(agents.id[i]), p_.recruitment, time + step_);
+    left = std::min(left, since);
+    if (left <= 0) return left;
+  }
+  return left + agents.clock[i];
+}
 
 std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRules& rules,
                                     double time) const {
@@ -48,13 +64,11 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRul
     return passed;
   }
   if (agents.state[i] == CycleState::g0) {
-    if (time < p_.recruitment && agents.generation[i] == 0) {
-      // From recruitment to the end of the step. fma: one rounding, whether or not the draw is inlined.
-      const double since = std::fma(-drawShareOfRecruitment(agents.id[i]), p_.recruitment, time + step_);
-      left = std::min(left, since);
-      if (left <= 0) return passed;
+    left = leftAfterEntry(agents, i, time);
+    if (left <= 0) {
+      if (activation_) clock = 0;
+      return passed;
     }
-    left += clock;
     clock = 0;
     agents.state[i] = CycleState::g1;
     if (agents.g1Duration[i] <= 0) {
@@ -66,14 +80,14 @@ std::uint8_t CellCycle::advanceCell(AgentStore& agents, Index i, const ArrestRul
     const double duration = agents.g1Duration[i];
     const double target = agents.birthRadius[i] * doubledRadius;
     if (clock + left < duration - rounding * (duration + step_)) {
-      const double grown = agents.radius[i] * std::exp2(left / (3 * duration));
-      agents.radius[i] = std::min(grown, target);
+      const double grown = agents.cellRadius(i) * std::exp2(left / (3 * duration));
+      agents.setCell(i, std::min(grown, target), agents.matrix[i]);
       clock += left;
       return passed;
     }
     left = std::max(0.0, left - (duration - clock));
     clock = 0;
-    agents.radius[i] = target;
+    agents.setCell(i, target, agents.matrix[i]);
     agents.state[i] = CycleState::sg2m;
     pass(Passage::enteredSg2m);
   }

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "tissue/agents/AgentStore.h"
+#include "tissue/biology/Activation.h"
 #include "tissue/biology/ArrestRules.h"
 #include "tissue/biology/CellCycleParameters.h"
 
@@ -29,6 +31,9 @@ struct CycleReport {
 /// Recruitment: injury does not activate all cells in the same hour. A cell that never divided may leave G0
 /// only after a random time within `recruitment`; without it (0, the model as published) all go through their
 /// first cycle together, and the tissue grows in steps until the spread of G1 has desynchronised them.
+/// Where activation is modelled, a cell leaves G0 when it says (Activation::entry) and recruitment is over.
+///
+/// A cell with matrix around it grows and divides as one without: all radii above are of the cell alone.
 ///
 /// Phases need not be multiples of the step: the rest of a step after a phase goes to the next phase, after a
 /// division to mother and daughter. They keep it on their clocks in G0 until the checkpoint lets them pass; a
@@ -37,11 +42,12 @@ struct CycleReport {
 /// its length and of a step has ended: that is rounding.
 class CellCycle {
  public:
-  /// `step` [s] is the biological step.
-  CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step);
+  /// `step` [s] is the biological step; `activation` empty where it is not modelled.
+  CellCycle(const CellCycleParameters& parameters, std::uint64_t seed, double step,
+            const std::optional<Activation>& activation = {});
 
-  /// Advances every cell by the step that begins at `time` [s] after deployment; only recruitment reads the
-  /// time, and by default it is over. Returns the cells that are to divide, in ascending order of their ids,
+  /// Advances every cell by the step that begins at `time` [s] after deployment. By default recruitment is
+  /// over; activation needs the time. Returns the cells that are to divide, in ascending order of their ids,
   /// with the rest of the step on their clocks; the caller divides them (Division).
   std::vector<Index> advance(AgentStore& agents, const ArrestRules& rules, CycleReport& report,
                              double time = std::numeric_limits<double>::infinity()) const;
@@ -67,11 +73,15 @@ class CellCycle {
   enum class Passage : std::uint8_t { enteredG1 = 1, arrested = 2, enteredSg2m = 4, divides = 8, grew = 16 };
 
   double drawShareOfRecruitment(AgentId id) const;
+  /// What is left of the step, and of the one before by the clock, for a cell in G0 that no rule arrests once
+  /// it has entered G1; not above 0 where it does not.
+  double leftAfterEntry(const AgentStore& agents, Index i, double time) const;
   std::uint8_t advanceCell(AgentStore& agents, Index i, const ArrestRules& rules, double time) const;
 
   CellCycleParameters p_;
   std::uint64_t seed_;
   double step_;
+  std::optional<Activation> activation_;
 };
 
 }  // namespace restenosis

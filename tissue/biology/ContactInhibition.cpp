@@ -72,7 +72,10 @@ InhibitionReport ContactInhibition::evaluate(AgentStore& agents) {
 
   forEachInChunks(agents.size(), [&](std::size_t k) {
     const auto i = static_cast<Index>(k);
-    agents.set(i, inhibited, marks[i] & isInhibited);
+    const bool isPressed =
+        law_ && law_->readsStress() && (marks[i] & usesFlags) &&
+        law_->inhibits({agents.radius[i], (marks[i] & isExposed) != 0, {}, agents.stress[i]});
+    agents.set(i, inhibited, isPressed || (marks[i] & isInhibited));
     agents.set(i, exposed, marks[i] & isExposed);
   });
   return report;
@@ -93,7 +96,7 @@ std::uint8_t ContactInhibition::marksOf(const MirroredNeighbours& neighbours, In
     surroundings = surroundingsWithin(range_);
   }
   if (surroundings.exposed) mark |= isExposed;
-  if (law_ && law_->inhibits(surroundings)) mark |= isInhibited;
+  if (law_ && !law_->readsStress() && law_->inhibits(surroundings)) mark |= isInhibited;
   return mark;
 }
 

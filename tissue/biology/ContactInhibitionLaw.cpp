@@ -4,6 +4,7 @@
 
 #include "tissue/biology/ExposureLaw.h"
 #include "tissue/biology/NeighbourCountLaw.h"
+#include "tissue/biology/StressLaw.h"
 #include "tissue/parameters/NamedTable.h"
 
 namespace restenosis {
@@ -21,7 +22,7 @@ constexpr Entry entry{
       return std::make_unique<Law>(p);
     }};
 
-constexpr std::array laws{entry<ExposureLaw>, entry<NeighbourCountLaw>};
+constexpr std::array laws{entry<ExposureLaw>, entry<NeighbourCountLaw>, entry<StressLaw>};
 
 }  // namespace
 

@@ -15,7 +15,8 @@ struct Surroundings {
   double radius;  ///< of the cell itself [m]
   bool exposed;   ///< by the exposure measure, with the scene's threshold
   std::span<const ContactNeighbour>
-      neighbours;  ///< at least all within range() times R1 + R2, in no stated order
+      neighbours;     ///< at least all within range() times R1 + R2, in no stated order
+  double stress = 0;  ///< AgentStore::stress of the cell [Pa]; given to a law that readsStress() only
 };
 
 /// Whether a cell's surroundings keep it from cycling (model 6). Laws are stateless; the order of the
@@ -25,6 +26,8 @@ class ContactInhibitionLaw {
   virtual ~ContactInhibitionLaw() = default;
   /// Neighbours farther than this times R1 + R2 matter through Surroundings::exposed only.
   virtual double range() const = 0;
+  /// Whether the cell's stress decides, and its neighbours do not: it is then asked in every evaluation.
+  virtual bool readsStress() const { return false; }
   virtual bool inhibits(const Surroundings& surroundings) const = 0;
 };
 

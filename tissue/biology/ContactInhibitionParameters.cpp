@@ -8,8 +8,8 @@ void ContactInhibitionParameters::describe(ParameterVisitor& p) {
   p.choice(law, contactInhibitionLawNames(),
            {.key = "law",
             .source = "assumed",
-            .description = "what makes a cell crowded: too few free directions, or "
-                           "too many neighbours (T6, ISR3D)"});
+            .description = "what makes a cell crowded: too few free directions, too many neighbours (T6, "
+                           "ISR3D), or pressure"});
   p.quantity(exposureThreshold,
              {.key = "exposureThreshold",
               .minimum = 0,
@@ -62,6 +62,12 @@ void ContactInhibitionParameters::describe(ParameterVisitor& p) {
   p.quantity(
       strutWeight,
       {.key = "strutWeight", .minimum = 0, .source = "ISR3D", .description = "weight of a strut agent"});
+  p.quantity(stressThreshold, {.key = "stressThreshold",
+                               .unit = "kPa",
+                               .minimum = 0,
+                               .maximum = 1e6,
+                               .source = "assumed",
+                               .description = "stress: a cell under a larger pressure is inhibited"});
 }
 
 }  // namespace restenosis

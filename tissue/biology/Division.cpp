@@ -19,11 +19,12 @@ void Division::divide(AgentStore& agents, BondTable& bonds, std::span<const Inde
     RandomStream random(seed_, agents.id[mother], agents.generation[mother],
                         RandomPurpose::divisionDirection);
     const double radius = agents.birthRadius[mother];
-    const Vec3 offset = displacement_ * radius * random.direction();
+    const float matrix = agents.matrix[mother] / 2;
+    agents.setCell(mother, radius, matrix);
+    const Vec3 offset = displacement_ * agents.radius[mother] * random.direction();
     const Vec3 centre = agents.position(mother);
 
     agents.setPosition(mother, centre + offset);
-    agents.radius[mother] = radius;
     agents.state[mother] = CycleState::g0;
     agents.g1Duration[mother] = 0;
     ++agents.generation[mother];
@@ -38,6 +39,9 @@ void Division::divide(AgentStore& agents, BondTable& bonds, std::span<const Inde
     agents.wss[born] = agents.wss[mother];
     agents.nitricOxide[born] = agents.nitricOxide[mother];
     agents.stress[born] = agents.stress[mother];
+    agents.setCell(born, radius, matrix);
+    if (agents.activation.modelled()) agents.activation.set(born, agents.activation[mother]);
+    if (agents.maturity.modelled()) agents.maturity.set(born, agents.maturity[mother]);
   }
   bonds.resize(agents.size());
 }

@@ -16,11 +16,13 @@ AgentId daughterId(AgentId mother, std::uint32_t generation);
 
 /// Division of a cell into mother and daughter, each with the radius the mother was born with (model 5).
 ///
-/// Their centres lie at +-`displacement` times that radius from the mother's, in opposite directions drawn
+/// Each keeps half of the mother's matrix. Their centres lie at +-`displacement` times their radius, matrix
+/// included, from the mother's, in opposite directions drawn
 /// uniformly on the sphere by (seed, mother's id, generation). Both start in G0, with the mother's clock
 /// (what the step left over) and one generation on; the daughter inherits the flags `synthetic` and
-/// `covered` and the WSS, nitric oxide and stress of the mother, and is flagged `daughter`. The mother keeps
-/// its bonds and their rest lengths; the daughter has none (see bondDaughters).
+/// `covered` and the WSS, nitric oxide, stress, activation and maturity of endothelium of the mother, and is
+/// flagged `daughter`. The mother keeps its bonds and their rest lengths; the daughter has none (see
+/// bondDaughters).
 class Division {
  public:
   Division(std::uint64_t seed, double displacement) : seed_(seed), displacement_(displacement) {}

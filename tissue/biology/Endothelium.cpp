@@ -11,11 +11,28 @@
 namespace restenosis {
 
 Endothelium::Endothelium(const EndotheliumParameters& parameters, std::uint64_t seed, bool denuded)
-    : scenario_(endotheliumScenario(parameters.scenario)), seed_(seed), denuded_(denuded) {}
+    : scenario_(endotheliumScenario(parameters.scenario)),
+      seed_(seed),
+      denuded_(denuded),
+      maturationTime_(parameters.maturationTime) {}
 
 double Endothelium::target(double time) const { return denuded_ ? scenario_.coverage(time) : 1.0; }
 
-double Endothelium::onset() const { return denuded_ ? scenario_.start : 0.0; }
+double Endothelium::onset() const { return denuded_ ? scenario_.onset() : 0.0; }
+
+void Endothelium::begin(AgentStore& agents) const {
+  if (!agents.maturity.modelled()) return;
+  for (Index i = 0; i < agents.size(); ++i) agents.maturity.set(i, agents.has(i, covered) ? 1 : 0);
+}
+
+void Endothelium::mature(AgentStore& agents, double duration) const {
+  if (!agents.maturity.modelled()) return;
+  const auto left = static_cast<float>(std::exp(-duration / maturationTime_));
+  forEachInChunks(agents.size(), [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
+    if (agents.has(i, covered)) agents.maturity.set(i, 1 - (1 - agents.maturity[i]) * left);
+  });
+}
 
 CoverageReport Endothelium::apply(AgentStore& agents, double time) const {
   struct Bare {
@@ -45,7 +62,10 @@ CoverageReport Endothelium::apply(AgentStore& agents, double time) const {
     return std::pair(a.u, a.id) < std::pair(b.u, b.id);
   };
   if (last != bare.end()) std::nth_element(bare.begin(), last, bare.end(), before);
-  std::for_each(bare.begin(), last, [&](const Bare& b) { agents.set(b.index, covered, true); });
+  std::for_each(bare.begin(), last, [&](const Bare& b) {
+    agents.set(b.index, covered, true);
+    if (agents.maturity.modelled()) agents.maturity.set(b.index, denuded_ ? 0 : 1);
+  });
   report.covered = wanted;
   return report;
 }

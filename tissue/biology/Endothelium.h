@@ -30,6 +30,9 @@ struct CoverageReport {
 ///   bare.
 /// The result depends on ids and flags only, not on the order of agents or threads, and needs no state of its
 /// own.
+///
+/// Where maturation is modelled, new endothelium has the maturity 0, which grows as 1 - exp(-age /
+/// maturationTime). Endothelium that deployment left is mature.
 class Endothelium {
  public:
   /// Where not `denuded`, cells are covered from the start in every scenario. Throws std::invalid_argument
@@ -40,6 +43,10 @@ class Endothelium {
   double target(double time) const;
   /// Time of the first coverage [s]; infinity for never.
   double onset() const;
+  /// Deployment is over: endothelium that it left is mature.
+  void begin(AgentStore& agents) const;
+  /// `duration` [s] has passed since the last call.
+  void mature(AgentStore& agents, double duration) const;
   /// Sets the flag `covered`; reads `exposed`, `synthetic` and the kind.
   CoverageReport apply(AgentStore& agents, double time) const;
 
@@ -47,6 +54,7 @@ class Endothelium {
   EndotheliumScenario scenario_;
   std::uint64_t seed_;
   bool denuded_;
+  double maturationTime_;
 };
 
 }  // namespace restenosis

@@ -9,6 +9,20 @@ void EndotheliumParameters::describe(ParameterVisitor& p) {
            {.key = "scenario",
             .source = "T6",
             .description = "how the endothelium returns: coverage against time"});
+  p.quantity(maturationTime, {.key = "maturationTime",
+                              .unit = "d",
+                              .minimum = 0,
+                              .maximum = 1e6,
+                              .source = "T6",
+                              .description = "time in which new endothelium comes to make all of its nitric "
+                                             "oxide but 1/e; 0: at once"});
+  p.quantity(nitricOxideReach, {.key = "nitricOxideReach",
+                                .unit = "um",
+                                .minimum = 0,
+                                .maximum = 10000,
+                                .source = "T6",
+                                .description = "distance over which nitric oxide falls to 1/e in the tissue; "
+                                               "0: it acts on the covered cell alone"});
   p.quantity(nitricOxideThreshold, {.key = "nitricOxideThreshold",
                                     .unit = "nmol/mm^3",
                                     .minimum = 0,

@@ -13,6 +13,9 @@ struct EndotheliumParameters {
       "Endothelium returns and turns wall shear stress into nitric oxide";
 
   std::string scenario = "3-23 days";
+  double maturationTime = 0;  ///< in which a new endothelium comes to make all its nitric oxide but 1/e [s]
+  double nitricOxideReach =
+      0;  ///< distance over which nitric oxide falls to 1/e [m]; 0: it stays in the cell
   double nitricOxideThreshold = 0.001;  ///< [nmol/mm^3], which is [mol/m^3]
   // NO = slope w up to the transition, constant + first w + second w^2 above it; w [Pa], NO [nmol/mm^3].
   double nitricOxideSlope = 0.00366;

@@ -1,22 +1,27 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace restenosis {
 
-/// How endothelium returns (model 7): coverage c(t) = 0 before `start`, `startCoverage` at `start`, from
-/// there linear to 1 at `full`, 1 afterwards. Times since the end of deployment [s].
+/// How endothelium returns (model 7): its coverage c(t) is a line through points, 0 before the first and that
+/// of the last behind it. Two points at one time are a jump.
 struct EndotheliumScenario {
+  struct Point {
+    double time;      ///< since the end of deployment [s]
+    double coverage;  ///< not below that of the point before
+  };
   std::string_view name;
-  double start;
-  double startCoverage;
-  double full;
+  std::array<Point, 3> points;
   std::string_view source;
 
   /// Share of the exposed cells that carry endothelium at `time` [s]; never falls with time.
   double coverage(double time) const;
+  /// Time before which there is none [s]; infinity for never any.
+  double onset() const { return points.front().time; }
 };
 
 /// All scenarios.

@@ -7,10 +7,14 @@
 #include <stdexcept>
 
 #include "tissue/agents/Chunks.h"
+#include "tissue/biology/NitricOxideSpread.h"
 
 namespace restenosis {
 
 namespace {
+
+// Of the threshold. Nitric oxide that reaches a cell is 0 below that.
+constexpr double negligible = 0.01;
 
 double parabola(const EndotheliumParameters& p, double wss) {
   return (p.nitricOxideSecond * wss + p.nitricOxideFirst) * wss + p.nitricOxideConstant;
@@ -54,7 +58,10 @@ void NitricOxide::apply(AgentStore& agents) const {
     const auto i = static_cast<Index>(k);
     const bool produces = agents.kind[i] == AgentKind::smc && agents.has(i, covered);
     agents.nitricOxide[i] = produces ? concentration(agents.wss[i]) : 0.0;
+    if (agents.maturity.modelled()) agents.nitricOxide[i] *= agents.maturity[i];
   });
+  if (p_.nitricOxideReach > 0)
+    spreadNitricOxide(agents, p_.nitricOxideReach, negligible * p_.nitricOxideThreshold);
 }
 
 }  // namespace restenosis

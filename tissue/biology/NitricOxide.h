@@ -30,7 +30,8 @@ class NitricOxide {
   /// NO at or above this sends a cell to rest [nmol/mm^3].
   double threshold() const { return p_.nitricOxideThreshold; }
 
-  /// Sets AgentStore::nitricOxide of every agent from the WSS it received: only covered SMC produce any.
+  /// Sets AgentStore::nitricOxide of every agent from the WSS it received: only covered SMC produce any, by
+  /// the maturity of their endothelium. Where it has a reach, it then spreads (spreadNitricOxide).
   void apply(AgentStore& agents) const;
 
  private:

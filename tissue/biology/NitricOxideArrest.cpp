@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tissue/parameters/SecondsPerDay.h"
 
@@ -15,7 +16,21 @@ std::unique_ptr<const ArrestRule> NitricOxideArrest::make(const BiologySettings&
 }
 
 NitricOxideArrest::NitricOxideArrest(const EndotheliumParameters& parameters, double endotheliumOnset)
-    : law_(parameters), onset_(endotheliumOnset) {}
+    : law_(parameters),
+      onset_(endotheliumOnset),
+      reaches_(parameters.nitricOxideReach > 0),
+      matures_(parameters.maturationTime > 0) {}
+
+double NitricOxideArrest::decidingWss() const {
+  if (reaches_ || matures_) return std::numeric_limits<double>::infinity();
+  return law_.wssForNitricOxide(law_.threshold());
+}
+
+bool NitricOxideArrest::undecided(const AgentStore& agents, Index cell, double margin) const {
+  if (reaches_) return agents.nitricOxide[cell] < margin * law_.threshold();
+  const double maturity = matures_ ? agents.maturity[cell] : 1.0F;
+  return agents.wss[cell] < margin * law_.wssForNitricOxide(law_.threshold() / maturity);
+}
 
 std::string NitricOxideArrest::readsNoWssUntil(double time) const {
   if (std::isinf(onset_)) return "the endothelium never returns";

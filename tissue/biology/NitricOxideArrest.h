@@ -20,9 +20,14 @@ class NitricOxideArrest : public ArrestRule {
     return agents.nitricOxide[cell] >= law_.threshold();
   }
   bool readsWss() const override { return true; }
-  /// Bare cells have no nitric oxide.
-  bool readsWssOf(const AgentStore& agents, Index cell) const override { return agents.has(cell, covered); }
-  double decidingWss() const override { return law_.wssForNitricOxide(law_.threshold()); }
+  /// Bare cells have no nitric oxide but what reaches them from others.
+  bool readsWssOf(const AgentStore& agents, Index cell) const override {
+    return reaches_ || agents.has(cell, covered);
+  }
+  /// Infinite where a cell's own stress does not decide: where nitric oxide reaches others, or endothelium
+  /// matures.
+  double decidingWss() const override;
+  bool undecided(const AgentStore& agents, Index cell, double margin) const override;
   std::string readsNoWssUntil(double time) const override;
   std::string whenWssIsRead() const override;
   std::string_view whenNoCellReads() const override { return "no cell is covered by endothelium"; }
@@ -33,6 +38,8 @@ class NitricOxideArrest : public ArrestRule {
  private:
   NitricOxide law_;
   double onset_;  ///< of coverage [s]
+  bool reaches_;  ///< whether nitric oxide reaches other cells
+  bool matures_;  ///< whether endothelium makes less of it at first
 };
 
 }  // namespace restenosis

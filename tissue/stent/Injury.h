@@ -9,16 +9,17 @@ namespace restenosis {
 
 /// What injury did, in agents unless stated.
 struct InjuryReport {
-  std::size_t ielBonds = 0;     ///< bonds of IEL agents that may be injured
-  std::size_t brokenBonds = 0;  ///< of these, past the strain limit and removed
-  double meanStrain = 0;        ///< of the IEL bonds before any broke
-  double largestStrain = 0;     ///< the same
-  Index iel = 0;                ///< IEL agents that may be injured
-  Index stretched = 0;          ///< of these, stretched by more than `stretchedStrain`
-  Index broken = 0;             ///< at an end of a broken bond, or past the stress limit
-  Index fenestrated = 0;        ///< made permeable by chance
-  Index removed = 0;            ///< IEL agents removed (`removeIel`)
-  Index synthetic = 0;          ///< cells that may cycle, the injured IEL agents among them
+  std::size_t ielBonds = 0;      ///< bonds of IEL agents that may be injured
+  std::size_t brokenBonds = 0;   ///< of these, past the strain limit and removed
+  double meanStrain = 0;         ///< of the IEL bonds before any broke
+  double largestStrain = 0;      ///< the same
+  Index iel = 0;                 ///< IEL agents that may be injured
+  Index stretched = 0;           ///< of these, stretched by more than `stretchedStrain`
+  Index broken = 0;              ///< at an end of a broken bond, or past the stress limit
+  Index fenestrated = 0;         ///< made permeable by chance
+  Index removed = 0;             ///< IEL agents removed (`removeIel`)
+  Index synthetic = 0;           ///< cells that may cycle, the injured IEL agents among them
+  Index syntheticByStretch = 0;  ///< of these, activated by stretch alone ([activation])
 };
 
 /// Injures a deployed wall (model 4), in this order:

@@ -20,10 +20,13 @@ struct Wall {
   /// Displacement of each agent in the last deployment step: x, y, z by agent [m]; empty before the first
   /// step and once deployment is over.
   std::vector<double> lastMove;
+  /// Where each agent was before deployment: x, y, z by agent [m]. Empty once injury is over, and where
+  /// nothing reads it.
+  std::vector<double> packedPlaces;
 
   template <class Archive>
   void archive(Archive& a) {
-    a(agents, bonds, length, lumenRadius, wallThickness, cellRadius, lastMove);
+    a(agents, bonds, length, lumenRadius, wallThickness, cellRadius, lastMove, packedPlaces);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "bridge/coupling/parts/CyclePart.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,21 @@ constexpr double timeBetweenOrderings = secondsPerDay;  // [s]
 }  // namespace
 
 std::vector<PlannedPart> CyclePart::explain(const Scene& scene) {
-  const bool runs = scene.cellCycle.has_value();
-  return {{"cell cycle", runs, runs ? "in every step" : "no [cellCycle]"}};
+  if (!scene.cellCycle) return {{"cell cycle", false, "no [cellCycle]"}};
+  std::vector<PlannedPart> parts{{"cell cycle", true, "in every step"}};
+  if (const auto& activation = scene.activation) {
+    parts.push_back(
+        {"activation", true,
+         fmt::format("by injury{}, decays in {:g} d; a fully activated cell leaves rest at {:g}/d",
+                     scene.stent ? " and stretch" : "", activation->decayTime / secondsPerDay,
+                     activation->entryRate * secondsPerDay)});
+  }
+  if (const auto& matrix = scene.extracellularMatrix) {
+    parts.push_back({"matrix", true,
+                     fmt::format("{:g} of a cell's volume a day, up to {:g} of the whole",
+                                 matrix->rate * secondsPerDay, matrix->largestShare)});
+  }
+  return parts;
 }
 
 std::unique_ptr<CyclePart> CyclePart::make(const PartContext& context) {

@@ -6,6 +6,7 @@
 #include "bridge/output/LumenWriter.h"
 #include "bridge/output/TissueWriter.h"
 #include "bridge/sampling/WssStatistics.h"
+#include "bridge/surface/Histology.h"
 #include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
@@ -126,6 +127,15 @@ void RecordPart::measureLumen(TimeSeriesRow& row) const {
   row.neointimaThickness = neointima.meanThickness;
   row.neointimaAreaFraction = neointima.meanAreaFraction;
   row.neointimaThicknessMax = *std::ranges::max_element(neointima.thickness);
+  if (const Histology histology(wall_->agents, wall_->cellRadius);
+      histology.possible() && !lumen.insideIelAfterDeployment.empty()) {
+    const auto sections = histology.sections(lumen.present, lumen.insideIelAfterDeployment);
+    const HistologySection mean = Histology::mean(lumen.present, sections, from, to);
+    row.intimaArea = mean.intimaArea, row.mediaArea = mean.mediaArea;
+    row.relativeIntimaArea = mean.relativeIntimaArea;
+    row.intimaCells = mean.intimaCells, row.intimaInCycle = mean.inCycle();
+    if (wall_->agents.matrix.modelled()) row.intimaMatrixShare = mean.matrixShare();
+  }
   if (flow_->solves > 0) row.lumenMovement = displacement(flow_->lumen, lumen.present).robust;
 }
 
