@@ -33,8 +33,8 @@ class Biology {
   void model(AgentStore& agents) const;
   /// The wall has been deployed, and is not injured yet. `strain`: of the tissue around the vessel, by agent.
   void stretch(AgentStore& agents, std::span<const double> strain) const;
-  /// The wall has been injured: activates cells, and takes endothelium that is left as mature. Returns how
-  /// many cells are synthetic by stretch alone.
+  /// The wall has been injured: activates cells; endothelium that is left is mature. Returns how many cells
+  /// are synthetic by stretch alone.
   Index begin(AgentStore& agents) const;
   bool hasActivation() const { return activation_.has_value(); }
 
