@@ -89,8 +89,10 @@ TEST_F(WholeRun, WritesEveryFileOfTheContract) {
   EXPECT_EQ(json["agents"], series.last("agents"));
 
   const CsvColumns profile(folder / "out/profile.csv");
-  EXPECT_EQ(profile.names, (std::vector<std::string>{"z_mm", "lumenArea_mm2", "neointimaAreaFraction",
-                                                     "neointimaThickness_um"}));
+  EXPECT_EQ(profile.names,
+            (std::vector<std::string>{
+                "z_mm", "lumenArea_mm2", "neointimaAreaFraction", "neointimaThickness_um", "intimaArea_mm2",
+                "mediaArea_mm2", "relativeIntimaArea", "intimaCells", "intimaInCycle", "intimaMatrixShare"}));
   EXPECT_GE(profile.last("z_mm"), 0.2);
   EXPECT_LE(profile.last("z_mm"), 0.24);
 

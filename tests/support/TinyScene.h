@@ -40,7 +40,7 @@ removeIel = true
 [contactInhibition]
 
 [endothelium]
-scenario = "fast"
+scenario = "3-23 days"
 
 [flow]
 backend = "analytic"

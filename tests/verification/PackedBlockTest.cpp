@@ -9,6 +9,7 @@
 
 #include "tests/support/Constants.h"
 #include "tissue/agents/RandomStream.h"
+#include "tissue/biology/ContactInhibition.h"
 #include "tissue/equilibrium/Constraint.h"
 #include "tissue/equilibrium/Relaxation.h"
 #include "tissue/forces/ContactLaws.h"
@@ -96,6 +97,23 @@ TEST_P(PackedBlock, ALatticeHasThePressureAndTheBulkModulusOfItsContacts) {
   const double measured = (pressure(D * (1 - change)) - pressure(D * (1 + change))) / (3 * 2 * change);
   const double expected = 2 * std::sqrt(2.0) / 3 * (slope(D) / D + 2 * force(D) / (D * D));
   EXPECT_NEAR(measured / expected, 1, 2e-3);
+}
+
+/// Contact inhibition by stress: a block under a known pressure is inhibited from that pressure on.
+TEST_P(PackedBlock, ALatticeIsInhibitedWhereItsPressureIsAboveTheThreshold) {
+  const double D = 1.9 * r;
+  Lattice lattice(D);
+  relax(lattice.agents);
+  for (Index i = 0; i < lattice.agents.size(); ++i) lattice.agents.set(i, synthetic, true);
+  const double cell = D * D * D / std::sqrt(2.0), sphere = 4.0 / 3.0 * pi * r * r * r;
+  const double pressure = 2 * std::sqrt(2.0) * force(D) / (D * D) * cell / sphere;
+  ContactInhibitionParameters inhibition;
+  inhibition.law = "stress";
+  for (const double share : {0.999, 1.001}) {
+    inhibition.stressThreshold = share * pressure;
+    ContactInhibition(inhibition, makeContactInhibitionLaw(inhibition), 0).evaluate(lattice.agents);
+    for (const Index i : lattice.within) EXPECT_EQ(lattice.agents.has(i, inhibited), share < 1) << share;
+  }
 }
 
 /// Eq. 13.

@@ -8,10 +8,10 @@
 
 namespace restenosis {
 
-/// Who has been told to grow, and for how long (model 5). A cell's activation A, in [0, 1], is set by injury
-/// and stretch, inherited by daughters, and decays as dA/dt = -A / decayTime. An activated cell at rest that
-/// nothing holds enters G1 with the hazard entryRate A, so that cells enter one after another and the tissue
-/// grows less and less as activation decays.
+/// Which cells have been told to grow, and for how long (model 5). A cell's activation A, in [0, 1], is set
+/// by injury and stretch, inherited by daughters, and decays as dA/dt = -A / decayTime. An activated cell at
+/// rest that nothing holds enters G1 with the hazard entryRate A, so that cells enter one after another and
+/// the tissue grows less and less as activation decays.
 class Activation {
  public:
   /// `step` [s] is the biological step.

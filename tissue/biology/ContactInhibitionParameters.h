@@ -22,7 +22,7 @@ struct ContactInhibitionParameters {
   double changeTolerance = 0.02;
   double countRange = 2.0;  ///< neighbourCount: neighbours within this times R1 + R2 count
   double countThreshold = 26;
-  double stressThreshold = 5000;  ///< stress: a cell under a larger one is inhibited [Pa]
+  double stressThreshold = 2000;  ///< stress: a cell under a larger one is inhibited [Pa]
   double smcWeight = 1, ielWeight = 1, eelWeight = 1, strutWeight = 0.1;
 
   void describe(ParameterVisitor& p);

@@ -14,7 +14,7 @@ namespace restenosis {
 namespace {
 
 // Of the threshold. Nitric oxide that reaches a cell is 0 below that.
-constexpr double negligible = 0.01;
+constexpr double negligibleShare = 0.01;
 
 double parabola(const EndotheliumParameters& p, double wss) {
   return (p.nitricOxideSecond * wss + p.nitricOxideFirst) * wss + p.nitricOxideConstant;
@@ -61,7 +61,7 @@ void NitricOxide::apply(AgentStore& agents) const {
     if (agents.maturity.modelled()) agents.nitricOxide[i] *= agents.maturity[i];
   });
   if (p_.nitricOxideReach > 0)
-    spreadNitricOxide(agents, p_.nitricOxideReach, negligible * p_.nitricOxideThreshold);
+    spreadNitricOxide(agents, p_.nitricOxideReach, negligibleShare * p_.nitricOxideThreshold);
 }
 
 }  // namespace restenosis

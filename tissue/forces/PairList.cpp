@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "tissue/agents/Capacity.h"
 
 namespace restenosis {
 namespace {
-
-constexpr float unbonded = std::numeric_limits<float>::infinity();
 
 // Lists of this length and beyond are sorted as equal.
 constexpr std::uint32_t longestSorted = 63;
@@ -75,7 +72,7 @@ void PairList::build(const PairSource& source, std::span<const Index> agents, In
     for (std::size_t m = 0; m < slices_[s].capacity; ++m) {
       Entry& entry = entries_[slices_[s].start + m];
       for (std::size_t lane = 0; lane < width; ++lane) {
-        const Pair pair = m < lists[lane].size() ? lists[lane][m] : Pair{none, unbonded};
+        const Pair pair = m < lists[lane].size() ? lists[lane][m] : Pair{none, Pair::unbonded};
         entry.partner[lane] = pair.partner;
         entry.restLength[lane] = pair.restLength;
         slices_[s].attractions.add(pair.restLength);
@@ -92,7 +89,7 @@ bool PairList::replace(const PairSource& source, std::size_t k, Index i) {
   source.append(i, pairs);
   if (pairs.size() > slice.capacity) return false;
   slice.length = std::max(slice.length, static_cast<std::uint32_t>(pairs.size()));
-  pairs.resize(slice.capacity, {none_, unbonded});
+  pairs.resize(slice.capacity, {none_, Pair::unbonded});
   for (std::size_t m = 0; m < pairs.size(); ++m) {
     Entry& entry = entries_[slice.start + m];
     entry.partner[n % width] = pairs[m].partner;

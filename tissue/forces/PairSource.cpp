@@ -1,11 +1,8 @@
 #include "tissue/forces/PairSource.h"
 
-#include <limits>
-
 namespace restenosis {
 
 void PairSource::append(Index i, std::vector<Pair>& pairs) const {
-  constexpr float unbonded = std::numeric_limits<float>::infinity();
   const auto isDaughter = [this](Index j) { return cohesion && (flags[j] & AgentFlag::daughter); };
   const bool daughter = isDaughter(i);
   const auto listed = neighbours.of(i);
@@ -20,7 +17,7 @@ void PairSource::append(Index i, std::vector<Pair>& pairs) const {
   for (const Index j : listed) {
     for (; bond != bonded.end() && bond->partner < j; ++bond) put(bond->partner, bond->restLength);
     const bool isBonded = bond != bonded.end() && bond->partner == j;
-    put(j, isBonded ? bond->restLength : unbonded);
+    put(j, isBonded ? bond->restLength : Pair::unbonded);
     bond += isBonded;
   }
   for (; bond != bonded.end(); ++bond) put(bond->partner, bond->restLength);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "tissue/agents/BondTable.h"
@@ -10,7 +11,9 @@ namespace restenosis {
 /// A pair as seen from one of its agents.
 struct Pair {
   Index partner;
-  /// Rest length of the bond [m], infinite without one. Negative where the two cohere: one is a daughter.
+  static constexpr float unbonded = std::numeric_limits<float>::infinity();
+
+  /// Rest length of the bond [m], `unbonded` without one. Negative where the two cohere: one is a daughter.
   float restLength;
 };
 

@@ -31,7 +31,8 @@ static_assert(sizeof(ListedAgent) == 32);
 /// Whether two agents are neighbours.
 inline bool inRange(const NeighbourRange& range, const ListedAgent& a, const ListedAgent& b) {
   const Vec3 apart = a.position - b.position;
-  const double factor = a.daughter() | b.daughter() ? range.daughterFactor : range.factor;
+  const bool daughter = (int{a.daughter()} | int{b.daughter()}) != 0;  // no branch to be guessed wrong
+  const double factor = daughter ? range.daughterFactor : range.factor;
   const double reach = factor * (a.radius() + b.radius()) + range.skin;
   return apart.squaredNorm() <= reach * reach;
 }

@@ -44,7 +44,7 @@ class SearchOfAll {
           Index* out = list.data() + end;
           for (std::uint32_t n = from; n < to; ++n) {
             *out = candidates_[n].index;
-            out += inRange(range_, agent, candidates_[n].agent) & (candidates_[n].index != i);
+            out += int{inRange(range_, agent, candidates_[n].agent)} & int{candidates_[n].index != i};
           }
           end = static_cast<std::size_t>(out - list.data());
         });
