@@ -1,6 +1,7 @@
 #include "tissue/biology/CellCycle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tissue/agents/Chunks.h"
@@ -38,6 +39,7 @@ double CellCycle::drawRecruitment(AgentId id) const { return drawShareOfRecruitm
 double CellCycle::leftAfterEntry(const AgentStore& agents, Index i, double time) const {
   double left = step_;
   if (activation_) {
+    assert(std::isfinite(time));
     left += agents.clock[i];
     return left - activation_->entry(agents, i, left, static_cast<std::uint32_t>(std::lround(time / step_)));
   }
