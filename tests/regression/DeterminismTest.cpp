@@ -17,6 +17,18 @@ TEST_F(Determinism, TheDigestDependsOnTheSeedAndNotOnTheThreads) {
   EXPECT_NE(digest("one"), digest("other"));
 }
 
+TEST_F(Determinism, GrowthBeneathTheEndotheliumDoesNotDependOnTheThreads) {
+  const std::string growing = scene("growing", growingScene());
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "one", "--threads", "1"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "two", "--threads", "2"}), 0);
+  EXPECT_EQ(digest("one"), digest("two"));
+  const auto json = summary("one");
+  EXPECT_GT(json["final"]["divisions"], 100);
+  EXPECT_GT(json["final"]["intimaMatrixShare"], 0.2);
+  EXPECT_GT(json["injury"]["syntheticCellsByStretch"], 0);
+  EXPECT_GT(json["final"]["nitricOxideMean_nmolPerMm3"], 0);
+}
+
 /// The reference solves the flow in every step (T6). What is saved must not show in the result.
 TEST_F(Determinism, SolvingTheFlowOnChangeGivesTheGrowthOfEveryStep) {
   const std::string tiny = scene("tiny", tinyScene);

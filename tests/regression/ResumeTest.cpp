@@ -333,6 +333,30 @@ TEST_F(Resume, GoesOnWithTheBondsThatBrokeAndWereMade) {
   EXPECT_NE(summary("plain")["stateDigest"], summary("whole")["stateDigest"]);
 }
 
+TEST_F(Resume, GoesOnWithActivationMatrixAndTheMaturityOfEndothelium) {
+  const std::string growing = scene("growing", growingScene());
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "whole"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "parts", "--set", "scene.duration=2 d"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "parts", "--resume", "--threads", "1"}), 0);
+  expectSameResults("parts", "whole");
+}
+
+/// The strain of the tissue is measured from where agents were packed, which a checkpoint must keep.
+TEST_F(Resume, OfADeploymentKnowsWhereAgentsWerePacked) {
+  const std::string growing =
+      scene("growing", with(with(growingScene(), "duration = \"4 d\"", "duration = \"2 h\""),
+                            "deploymentSteps = 8", "deploymentSteps = 24"));
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "reference"}), 0);
+  Process deploying(command({"run", growing, "-o", "out"}), folder.path());
+  sleepUntil(deploying, [&] { return exists("out/checkpoint/state.bin"); });
+  deploying.send(SIGINT);
+  EXPECT_EXIT_STATUS(deploying.wait(patience), 1);
+  EXPECT_FALSE(exists("out/timeSeries.csv")) << "this was to fall into deployment";
+  ASSERT_EXIT_STATUS(run({"run", growing, "-o", "out", "--resume"}), 0);
+  EXPECT_EQ(digest("out"), digest("reference"));
+  EXPECT_EQ(summary("out")["injury"], summary("reference")["injury"]);
+}
+
 TEST_F(Resume, BeginsWhereARunWasKilledBeforeItMadeItsFolder) {
   const std::string tiny = scene("tiny", tinyScene);
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "whole"}), 0);
