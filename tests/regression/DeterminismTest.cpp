@@ -23,9 +23,8 @@ TEST_F(Determinism, GrowthBeneathTheEndotheliumDoesNotDependOnTheThreads) {
   ASSERT_EXIT_STATUS(run({"run", growing, "-o", "two", "--threads", "2"}), 0);
   EXPECT_EQ(digest("one"), digest("two"));
   const auto json = summary("one");
-  EXPECT_GT(json["final"]["divisions"], 100);
-  EXPECT_GT(json["final"]["intimaMatrixShare"], 0.2);
-  EXPECT_GT(json["injury"]["syntheticCellsByStretch"], 0);
+  EXPECT_GT(json["final"]["divisions"], 5);
+  EXPECT_GT(json["final"]["inhibited"], 100);
   EXPECT_GT(json["final"]["nitricOxideMean_nmolPerMm3"], 0);
 }
 

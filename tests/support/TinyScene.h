@@ -67,8 +67,8 @@ inline std::string tinyFoamScene() {
 /// The tiny scene with all that growth beneath the endothelium may be modelled with.
 inline std::string growingScene() {
   const std::string growing =
-      with(with(with(tinyScene, "removeIel = true", "fenestrationProbability = 0.5"), "[contactInhibition]",
-                "[activation]\nentryRate = \"4 1/d\"\n\n[extracellularMatrix]\nrate = \"2 1/d\"\n\n"
+      with(with(tinyScene, "[contactInhibition]",
+                "[activation]\nentryRate = \"4 1/d\"\n\n[extracellularMatrix]\nrate = \"0.1 1/d\"\n\n"
                 "[contactInhibition]\nlaw = \"stress\""),
            "scenario = \"3-23 days\"",
            "scenario = \"fast\"\nmaturationTime = \"1 d\"\nnitricOxideReach = \"40 um\"");
