@@ -123,13 +123,17 @@ class FileFaults : public WholeProgram {
         EXPECT_TRUE(names(end.err, operation)) << toString(end);
         ++failed;
       }
-      if (end.status != 0) ASSERT_EXIT_STATUS(run(start("out", true)), 0);
+      if (end.status != 0) {
+        ASSERT_EXIT_STATUS(run(start("out", true)), 0);
+      }
       ASSERT_EQ(differing(lasting("out"), whole), std::set<std::string>());
       std::filesystem::remove_all(folder / "out");
       std::filesystem::remove(folder / "operations");
     }
     EXPECT_GT(met, 20U);
-    if (kind == "fail") EXPECT_GT(failed, met * 2 / 3);
+    if (kind == "fail") {
+      EXPECT_GT(failed, met * 2 / 3);
+    }
   }
 };
 
