@@ -56,16 +56,8 @@ ComparedLumen loadedLumen(const Scene& scene) {
 }
 
 std::vector<Vec3> strutMiddles(const Scene& scene) {
-  constexpr double spacing = 20e-6;  // [m]; far below the distances that parts are told by
-  std::vector<Vec3> places;
-  if (!scene.stent) return places;
-  const Stent stent = makeStent(*scene.stent, scene.vessel).movedOutwards(scene.stent->deploymentDepth);
-  for (const StrutSegment& segment : stent.segments) {
-    const int steps = 1 + static_cast<int>(segment.length() / spacing);
-    for (int k = 0; k <= steps; ++k)
-      places.push_back(segment.a + (segment.b - segment.a) * (static_cast<double>(k) / steps));
-  }
-  return places;
+  if (!scene.stent) return {};
+  return makeStent(*scene.stent, scene.vessel).movedOutwards(scene.stent->deploymentDepth).middles();
 }
 
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {

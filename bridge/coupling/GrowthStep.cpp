@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "bridge/coupling/parts/CrossCheckPart.h"
 #include "bridge/coupling/parts/CyclePart.h"
 #include "bridge/coupling/parts/EndotheliumPart.h"
 #include "bridge/coupling/parts/ExposurePart.h"
@@ -26,6 +27,7 @@ constexpr std::array partsInOrder{
     entry<EndotheliumPart>,  // returns over exposed cells
     entry<LumenPart>,        // its shape among the agents
     entry<FlowPart>,         // blood flow in it
+    entry<CrossCheckPart>,   // by another method
     entry<WallShearPart>,    // stress from the wall's faces to the cells
     entry<NitricOxidePart>,  // of covered cells, from their stress
     entry<RecordPart>,       // the state for the user

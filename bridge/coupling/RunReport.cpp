@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/parts/CrossCheckPart.h"
 #include "bridge/output/ProfileCsv.h"
 #include "bridge/output/SummaryJson.h"
 #include "bridge/output/ThicknessMapCsv.h"
@@ -90,6 +91,7 @@ void RunReport::writeSummary(const std::string& status, const Schedule* schedule
     const auto flow = schedule->counts().find("flow");
     if (flow != schedule->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;
   }
+  if (scene.flow && scene.flow->isCrossChecked()) summary.crossCheck = crossCheckSummary(state_);
   summary.packing = state_.packing;
   summary.deployment = state_.deployment;
   summary.injury = state_.injury;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge/coupling/CrossCheck.h"
 #include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Quantities.h"
 #include "bridge/output/PartTimer.h"
@@ -53,6 +54,7 @@ struct RunState {
   OuterConfinement confinement;  ///< by the EEL as growth found it; it holds its place
   std::uint64_t divisions = 0;   ///< since deployment
   RelaxationWork relaxation;
+  CrossCheckState crossCheck;
   std::vector<std::string> remarks;
   /// Whether, as far as is known, a run from the start would end in the same state.
   bool reproducible = true;
@@ -64,8 +66,8 @@ struct RunState {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(quantities, biology, packing, deployment, injury, confinement, divisions, relaxation, remarks,
-      reproducible, timer);
+    a(quantities, biology, packing, deployment, injury, confinement, divisions, relaxation, crossCheck,
+      remarks, reproducible, timer);
   }
 };
 

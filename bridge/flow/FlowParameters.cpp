@@ -56,6 +56,28 @@ void FlowParameters::describe(ParameterVisitor& p) {
                             .source = "assumed",
                             .description = "length of straight tube that the flow is solved in before the "
                                            "lumen's inlet and behind its outlet"});
+  p.choice(crossCheck, flowBackendNames::crossChecks(),
+           {.key = "crossCheck",
+            .source = "assumed",
+            .description = "another method, or the same with the finest cells, that solves some of the flows "
+                           "too; the state does not depend on it"});
+  p.quantity(crossCheckShare,
+             {.key = "crossCheckShare",
+              .minimum = 0,
+              .maximum = 10,
+              .source = "assumed",
+              .description = "time for cross-checks, over that of the flow; the first and the "
+                             "last solve are checked in any case"});
+  p.quantity(crossCheckLimit, {.key = "crossCheckLimit",
+                               .minimum = 0,
+                               .maximum = 10,
+                               .source = "assumed",
+                               .description = "relative difference of the mean stress on smooth wall, near "
+                                              "struts or on struts beyond which it is said"});
+}
+
+bool FlowParameters::isCrossChecked() const {
+  return crossCheck != flowBackendNames::none && backend != flowBackendNames::none;
 }
 
 double FlowParameters::drivenVelocity(double lumenDiameter) const {

@@ -25,8 +25,12 @@ struct FlowParameters {
   double density = 1000.0;             ///< [kg/m^3]
   double kinematicViscosity = 2.7e-6;  ///< [m^2/s]
   double straightEnds = 0.0;           ///< of straight tube before the inlet and behind the outlet [m]
+  std::string crossCheck = "none";     ///< see FlowBackendNames.h: crossChecks
+  double crossCheckShare = 0.1;        ///< of the flow's time
+  double crossCheckLimit = 0.1;        ///< of the stress
 
   void describe(ParameterVisitor& p);
+  bool isCrossChecked() const;
   /// What stays fixed while the lumen narrows, as `drive` says. Throws std::invalid_argument for a word that
   /// is none of its.
   FlowConditions::Drive keeps() const;

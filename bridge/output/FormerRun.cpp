@@ -49,7 +49,7 @@ bool madeByRun(const fs::path& results, const fs::path& path) {
   const std::string name = path.filename().string();
   if (first == "tissue" || first == "lumen") return name.starts_with(first.string() + "_");
   if (first == "checkpoint") return name.starts_with("state.bin");
-  if (first == "flow") return dayOfFlowCase(path).has_value();
+  if (first == "flow" || first == "crossCheck") return dayOfFlowCase(path).has_value();
   return true;
 }
 
@@ -108,16 +108,17 @@ void removeReplacedRun(const fs::path& results) {
 }  // namespace
 
 bool isNameOfResult(const fs::path& name) {
-  static constexpr std::array<std::string_view, 14> files{
+  static constexpr std::array<std::string_view, 15> files{
       "scene.toml", "timeSeries.csv", "profile.csv", "thicknessMap.csv", "summary.json",
       "tissue.pvd", "lumen.pvd",      "report.html", "figures.log",      "compare.json",
-      "growth.png", "lumen.png",      "section.png", "lumen3d.png"};
+      "growth.png", "lumen.png",      "section.png", "lumen3d.png",
+      "crossCheck.png"};
   return isAmong(files, name) || isNameOfResultFolder(name);
 }
 
 bool isNameOfResultFolder(const fs::path& name) {
-  static constexpr std::array<std::string_view, 5> folders{"tissue", "lumen", "flow", "checkpoint",
-                                                           "compare"};
+  static constexpr std::array<std::string_view, 6> folders{"tissue",     "lumen",      "flow",
+                                                           "crossCheck", "checkpoint", "compare"};
   return isAmong(folders, name);
 }
 

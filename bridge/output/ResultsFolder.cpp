@@ -112,6 +112,14 @@ void removeAllButLogs(const fs::path& flowCase) {
   if (fs::is_empty(flowCase)) fs::remove(flowCase);
 }
 
+std::string dayName(double time) {
+  // 1e-5 d tell any two steps of a second apart
+  std::string day = fmt::format("{:.5f}", time / secondsPerDay);
+  day.erase(day.find_last_not_of('0') + 1);
+  if (day.back() == '.') day.pop_back();
+  return day;
+}
+
 }  // namespace
 
 void createOutputFolder(const fs::path& folder) {
@@ -215,19 +223,15 @@ ResultsFolder::~ResultsFolder() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-fs::path ResultsFolder::flowCase(double time) const {
-  // 1e-5 d tell any two steps of a second apart
-  std::string day = fmt::format("{:.5f}", time / secondsPerDay);
-  day.erase(day.find_last_not_of('0') + 1);
-  if (day.back() == '.') day.pop_back();
-  return folder_ / "flow" / day;
-}
+fs::path ResultsFolder::flowCase(double time) const { return folder_ / "flow" / dayName(time); }
+
+fs::path ResultsFolder::crossCheckCase(double time) const { return folder_ / "crossCheck" / dayName(time); }
 
 template <class Unwanted>
-std::vector<fs::path> ResultsFolder::flowCases(Unwanted&& unwanted) const {
+std::vector<fs::path> ResultsFolder::cases(const char* folder, Unwanted&& unwanted) const {
   std::vector<fs::path> found;
-  if (!fs::is_directory(folder_ / "flow")) return found;
-  for (const auto& entry : fs::directory_iterator(folder_ / "flow")) {
+  if (!fs::is_directory(folder_ / folder)) return found;
+  for (const auto& entry : fs::directory_iterator(folder_ / folder)) {
     const auto day = dayOfFlowCase(entry.path());
     if (day && unwanted(entry.path(), *day)) found.push_back(entry.path());
   }
@@ -238,14 +242,19 @@ void ResultsFolder::removeFlowCasesAfter(std::optional<double> time) const {
   const auto later = [&](const fs::path& folder, double day) {
     return !time || (day > *time / secondsPerDay && folder != flowCase(*time));
   };
-  for (const fs::path& folder : flowCases(later)) fs::remove_all(folder);
+  for (const fs::path& folder : cases("flow", later)) fs::remove_all(folder);
 }
 
 void ResultsFolder::removeFlowCasesBut(std::span<const fs::path> wanted) const {
   const auto unwanted = [&](const fs::path& folder, double) {
     return std::ranges::find(wanted, folder) == wanted.end();
   };
-  for (const fs::path& folder : flowCases(unwanted)) removeAllButLogs(folder);
+  for (const fs::path& folder : cases("flow", unwanted)) removeAllButLogs(folder);
+}
+
+void ResultsFolder::removeCrossChecksBut(const fs::path& wanted) const {
+  const auto unwanted = [&](const fs::path& folder, double) { return folder != wanted; };
+  for (const fs::path& folder : cases("crossCheck", unwanted)) removeAllButLogs(folder);
 }
 
 }  // namespace restenosis

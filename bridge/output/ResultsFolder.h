@@ -70,6 +70,10 @@ class ResultsFolder {
   /// The OpenFOAM case of the solve at `time` [s] since deployment: flow/<day>, the day with as many decimals
   /// as it needs, five at most ("flow/3", "flow/3.125"): steps of a second have folders of their own.
   std::filesystem::path flowCase(double time) const;
+  /// What another method leaves of its solve at `time`: crossCheck/<day>.
+  std::filesystem::path crossCheckCase(double time) const;
+  /// Removes all of these but one; what is not named after a day stays.
+  void removeCrossChecksBut(const std::filesystem::path& wanted) const;
   /// Removes the cases of later solves than the one at `time` [s], or of all. What in flow/ is not named
   /// after a day is the user's and stays.
   void removeFlowCasesAfter(std::optional<double> time) const;
@@ -80,9 +84,9 @@ class ResultsFolder {
  private:
   ResultsFolder(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}
   static int acquireLock(const std::filesystem::path& folder);
-  /// The cases that unwanted(case, day) is true of.
+  /// Those in `folder` that unwanted(case, day) is true of.
   template <class Unwanted>
-  std::vector<std::filesystem::path> flowCases(Unwanted&& unwanted) const;
+  std::vector<std::filesystem::path> cases(const char* folder, Unwanted&& unwanted) const;
 
   std::filesystem::path folder_;
   int lock_;

@@ -1,5 +1,6 @@
 #include "bridge/output/SummaryJson.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bridge/output/Version.h"
@@ -86,6 +87,40 @@ Json flowSolves(const Summary& summary) {
   return flow;
 }
 
+/// Least and largest of a value that not every check has; null where none has it.
+template <class Value>
+Json range(const CrossCheckSummary& all, Value&& value) {
+  std::optional<double> least, largest;
+  for (const CrossCheckRecord& check : all.checks) {
+    const std::optional<double> v = value(check);
+    if (!v) continue;
+    least = std::min(least.value_or(*v), *v), largest = std::max(largest.value_or(*v), *v);
+  }
+  return least ? Json{*least, *largest} : Json();
+}
+
+Json crossCheck(const Summary& summary) {
+  if (!summary.crossCheck) return nullptr;
+  const CrossCheckSummary& all = *summary.crossCheck;
+  Json json = {{"method", all.method},
+               {"checks", all.checks.size()},
+               {"failed", all.failed},
+               {"seconds", all.seconds},
+               {"shareOfFlowTime", all.shareOfFlow}};
+  const auto part = [&](const char* name, std::optional<StressDifference> CrossCheckRecord::*place) {
+    using Value = std::optional<double>;
+    json[name] = {{"meanDifference",
+                   range(all, [&](const auto& c) { return c.*place ? Value((c.*place)->mean) : Value(); })},
+                  {"relativeL2",
+                   range(all, [&](const auto& c) { return c.*place ? Value((c.*place)->l2) : Value(); })}};
+  };
+  part("smoothWall", &CrossCheckRecord::smoothWall);
+  part("nearStruts", &CrossCheckRecord::nearStruts);
+  part("struts", &CrossCheckRecord::struts);
+  json["decidedOtherwise"] = range(all, [](const auto& c) { return c.decidedOtherwise; });
+  return json;
+}
+
 Json poiseuille(const Summary& summary) {
   if (!summary.poiseuille) return nullptr;
   const PoiseuilleError& error = *summary.poiseuille;
@@ -128,6 +163,7 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   json["deployment"] = deployment(summary);
   json["injury"] = injury(summary);
   json["flow"] = flowSolves(summary);
+  json["crossCheck"] = crossCheck(summary);
   json["relaxation"] = {{"iterations", summary.relaxationIterations},
                         {"agentEvaluations", summary.agentEvaluations},
                         {"largestResidual", summary.relaxationResidual}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bridge/flow/PoiseuilleError.h"
+#include "bridge/output/CrossCheckRecord.h"
 #include "bridge/output/PartTimer.h"
 #include "bridge/output/TimeSeriesRow.h"
 #include "tissue/stent/DeploymentStatistics.h"
@@ -33,6 +34,7 @@ struct Summary {
   std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
   std::uint64_t flowMeshesMoved = 0;                       ///< solves in the former mesh, moved
   std::map<std::string, std::uint64_t> flowRemeshed;  ///< the others, where meshes may be moved, by reason
+  std::optional<CrossCheckSummary> crossCheck;        ///< where the flow is cross-checked
   std::uint64_t relaxationIterations = 0, agentEvaluations = 0;
   double relaxationResidual = 0;              ///< after the last one: AgentForce::residual
   std::optional<PoiseuilleError> poiseuille;  ///< in scenes where the exact stress is known
@@ -43,7 +45,8 @@ struct Summary {
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
 /// stateDigest, final (the columns of timeSeries.csv; null where unknown), packing, deployment and injury
 /// (what they did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made
-/// anew by reason), relaxation (iterations during growth, forces computed, the largest residual after the
+/// anew by reason), crossCheck (method, number, time, and the ranges of what it found; null without),
+/// relaxation (iterations during growth, forces computed, the largest residual after the
 /// last one), poiseuille (errors, null where the exact stress is not known), parts (seconds and peak memory),
 /// totalSeconds, remarks. Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);

@@ -37,6 +37,13 @@ struct TimeSeriesRow {
   std::optional<double> intimaInCycle;          ///< share of these in G1 to M
   std::optional<double> intimaMatrixShare;      ///< of the volume of these, what is matrix
 
+  // Of the last flow that another method solved too, in the row after it: that method's stress over the
+  // run's own, less 1, and the covered cells that it would have decided otherwise (CrossCheckRecord).
+  std::optional<double> crossCheckSmoothMean, crossCheckSmoothL2;
+  std::optional<double> crossCheckNearStrutsMean, crossCheckNearStrutsL2;
+  std::optional<double> crossCheckStrutsMean, crossCheckStrutsL2;
+  std::optional<double> crossCheckDecidedOtherwise;
+
   /// Calls f(column, value, scale) for every column in the order of the file; value times scale is written.
   template <class F>
   void forEachColumn(F&& f) {
@@ -62,6 +69,11 @@ struct TimeSeriesRow {
     f("relativeIntimaArea", relativeIntimaArea, 1.0);
     f("intimaCells", intimaCells, 1.0), f("intimaInCycle", intimaInCycle, 1.0);
     f("intimaMatrixShare", intimaMatrixShare, 1.0);
+    f("crossCheckSmoothMean", crossCheckSmoothMean, 1.0), f("crossCheckSmoothL2", crossCheckSmoothL2, 1.0);
+    f("crossCheckNearStrutsMean", crossCheckNearStrutsMean, 1.0);
+    f("crossCheckNearStrutsL2", crossCheckNearStrutsL2, 1.0);
+    f("crossCheckStrutsMean", crossCheckStrutsMean, 1.0), f("crossCheckStrutsL2", crossCheckStrutsL2, 1.0);
+    f("crossCheckDecidedOtherwise", crossCheckDecidedOtherwise, 1.0);
   }
   template <class F>
   void forEachColumn(F&& f) const {

@@ -181,6 +181,22 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
          "instead";
 }
 
+Finding crossCheckByItself(const Scene& s, const Units&) {
+  if (!s.flow || !s.flow->isCrossChecked()) return {};
+  const FlowParameters& flow = *s.flow;
+  if (flow.crossCheck == flow.backend)
+    return fmt::format(
+        "'crossCheck' in [flow] is \"{}\", the backend itself; allowed is another one, or \"reference\"",
+        flow.crossCheck);
+  if (flow.crossCheck != flowBackendNames::reference) return {};
+  if (flow.backend == flowBackendNames::analytic)
+    return "'crossCheck' in [flow] is \"reference\", but backend = \"analytic\" has no cells to make finer; "
+           "allowed are \"lbm\" and \"foam\"";
+  const bool ownCells = flow.backend == flowBackendNames::foam ? s.foam.has_value() : s.lbm.has_value();
+  if (s.scene.fidelity != flowBackendNames::reference || ownCells) return {};
+  return "'crossCheck' in [flow] is \"reference\", the scene's own fidelity; allowed is the other backend";
+}
+
 /// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!s.hasTissue()) return {};
@@ -238,6 +254,7 @@ const std::vector<Check>& checks() {
       {{"flow.pressureGradient", "flow.drive", "flow.density", "flow.kinematicViscosity",
         "vessel.lumenDiameter"},
        driveWithoutGradient},
+      {{"flow.crossCheck", "flow.backend", "scene.fidelity"}, crossCheckByItself},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };

@@ -100,7 +100,7 @@ std::map<std::string, std::string> decisiveValues(const Scene& scene) {
   auto values = collect(scene, true);
   std::erase_if(values, [](const auto& entry) {
     return entry.first == "scene.title" || entry.first == "scene.duration" ||
-           entry.first.starts_with("output");
+           entry.first.starts_with("output") || entry.first.starts_with("flow.crossCheck");
   });
   leaveOutSilenceLimit(values);
   return values;

@@ -12,9 +12,9 @@ namespace restenosis {
 /// differ in can be read off two of these.
 std::map<std::string, std::string> sceneValues(const Scene& scene);
 
-/// The same, of what a run's state depends on: without `scene.title`, without [output], and without
-/// `scene.duration`, so that a finished run can be resumed for longer. Input files count with their contents,
-/// wherever they lie. Throws std::runtime_error when one cannot be read.
+/// The same, of what a run's state depends on: without `scene.title`, [output] and the cross-check of the
+/// flow, and without `scene.duration`, so that a finished run can be resumed for longer. Input files count
+/// with their contents, wherever they lie. Throws std::runtime_error when one cannot be read.
 std::map<std::string, std::string> decisiveValues(const Scene& scene);
 
 /// Of these, what may not change in the course of a run: without what only says how accurately a backend

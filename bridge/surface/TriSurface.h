@@ -28,6 +28,16 @@ struct TriSurface {
     const auto& t = triangles[triangle];
     return (vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) / 3.0;
   }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    std::vector<std::array<double, 3>> places(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      places[v] = {vertices[v].x(), vertices[v].y(), vertices[v].z()};
+    a(places, triangles, region);
+    vertices.resize(places.size());
+    for (std::size_t v = 0; v < places.size(); ++v) vertices[v] = {places[v][0], places[v][1], places[v][2]};
+  }
 };
 
 /// Volume enclosed by a closed surface with outward normals [m^3]: the divergence theorem about the first

@@ -32,13 +32,14 @@ Scene wholeScene() {
   scene.contactInhibition.emplace();
   scene.endothelium.emplace();
   scene.flow.emplace().backend = "analytic";
+  scene.flow->crossCheck = "lbm";
   return scene;
 }
 
 TEST_F(GrowthStepTest, hasThePartsOfTheScenesSections) {
   EXPECT_EQ(parts(wholeScene()),
-            (std::vector<std::string>{"relax", "exposure", "endothelium", "lumen", "flow", "wallShear",
-                                      "nitricOxide", "record", "cycle"}));
+            (std::vector<std::string>{"relax", "exposure", "endothelium", "lumen", "flow", "crossCheck",
+                                      "wallShear", "nitricOxide", "record", "cycle"}));
   Scene flowOnly;
   flowOnly.flow.emplace().backend = "analytic";
   EXPECT_EQ(parts(flowOnly), (std::vector<std::string>{"lumen", "flow", "record"}));
@@ -78,7 +79,7 @@ TEST_F(GrowthStepTest, everyPartExplainsItselfForAnyScene) {
   whole.scene.duration = 30 * 86400.0;
   EXPECT_EQ(explained(whole),
             (std::vector<std::string>{"relaxation", "contact inhibition", "endothelium", "lumen surface",
-                                      "flow (analytic)", "nitric oxide", "cell cycle"}));
+                                      "flow (analytic)", "cross-check (lbm)", "nitric oxide", "cell cycle"}));
 }
 
 }  // namespace

@@ -63,6 +63,17 @@ Vec3 Stent::centre(std::size_t n) const {
                       a.z + sphere.along * axial + sphere.across * acrossAxial});
 }
 
+std::vector<Vec3> Stent::middles() const {
+  constexpr double spacing = 20e-6;  // [m]; well below the width of a strut
+  std::vector<Vec3> places;
+  for (const StrutSegment& segment : segments) {
+    const int steps = 1 + static_cast<int>(segment.length() / spacing);
+    for (int k = 0; k <= steps; ++k)
+      places.push_back(segment.a + (segment.b - segment.a) * (static_cast<double>(k) / steps));
+  }
+  return places;
+}
+
 Stent Stent::movedOutwards(double distance) const {
   Stent moved = *this;
   for (StrutSegment& segment : moved.segments) {

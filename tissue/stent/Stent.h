@@ -55,6 +55,8 @@ struct Stent {
   /// Centre of spheres[n] [m]. Here segments are bent around the axis, so that the spheres of a ring lie on
   /// circles.
   Vec3 centre(std::size_t n) const;
+  /// Places on the centrelines, 20 um apart or less [m].
+  std::vector<Vec3> middles() const;
   /// The same stent with every centreline moved away from the axis by `distance` [m].
   Stent movedOutwards(double distance) const;
 };

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "bridge/coupling/FlowForecast.h"
-#include "bridge/flow/LumenFrame.h"
+#include "bridge/coupling/SceneFlow.h"
 #include "bridge/flow/PoiseuilleError.h"
-#include "bridge/flow/backends/FlowBackends.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/scene/SceneFingerprint.h"
 #include "bridge/scene/Units.h"
@@ -30,15 +29,8 @@ std::unique_ptr<FlowPart> FlowPart::make(const PartContext& context) {
   RunState& run = context.run;
   const Scene& scene = run.scene;
   if (!scene.flow) return nullptr;
-  auto backend = makeFlowBackend(scene.flow->backend, {.fidelity = scene.scene.fidelity,
-                                                       .foam = scene.foam,
-                                                       .lbm = scene.lbm,
-                                                       .straightEnds = scene.flow->straightEnds,
-                                                       .moveMesh = scene.coupling.movesMesh(),
-                                                       .ranks = context.ranks,
-                                                       .stopRequested = context.stopRequested});
+  auto backend = flowBackendFor(scene, scene.flow->backend, flowBackendOptions(context));
   if (!backend) return nullptr;
-  if (scene.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
   return std::make_unique<FlowPart>(run.quantities, scene, run.folder, run.biology.rules(), run.extraction,
                                     run.remarks, run.timer, std::move(backend));
 }

@@ -35,18 +35,20 @@ std::vector<PlannedPart> RecordPart::explain(const Scene&) { return {}; }
 std::unique_ptr<RecordPart> RecordPart::make(const PartContext& context) {
   RunState& run = context.run;
   return std::make_unique<RecordPart>(run.quantities, run.scene, run.folder, run.biology, run.extraction,
-                                      run.stent, run.divisions, run.timer);
+                                      run.stent, run.divisions, run.crossCheck.checks, run.timer);
 }
 
 RecordPart::RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder,
                        const Biology& biology, LumenExtraction& extraction, const std::optional<Stent>& stent,
-                       const std::uint64_t& divisions, PartTimer& timer)
+                       const std::uint64_t& divisions, const std::vector<CrossCheckRecord>& crossChecks,
+                       PartTimer& timer)
     : Part(quantities),
       scene_(scene),
       biology_(biology),
       extraction_(extraction),
       stent_(stent),
       divisions_(divisions),
+      crossChecks_(crossChecks),
       timer_(timer),
       timeSeries_(folder.timeSeries()),
       tissue_(folder.path(), "tissue"),
@@ -88,6 +90,7 @@ void RecordPart::run(const Instant& now) {
     lumenFiles_.add(now.step, now.time);
   }
   solvesRecorded_ = flow_->solves;
+  crossChecksRecorded_ = crossChecks_.size();
 }
 
 TimeSeriesRow RecordPart::row(const Instant& now) const {
@@ -114,6 +117,7 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
   if (counts.covered > 0) row.nitricOxideMean = nitricOxide / counts.covered;
   measureLumen(row);
   measureFlow(row);
+  fillCrossCheck(row);
   return row;
 }
 
@@ -148,6 +152,18 @@ void RecordPart::measureFlow(TimeSeriesRow& row) const {
   row.wssMean = wall.mean;
   row.wssLowAreaFraction = wall.lowAreaFraction;
   row.wssP5 = wall.p5, row.wssP50 = wall.median, row.wssP95 = wall.p95;
+}
+
+void RecordPart::fillCrossCheck(TimeSeriesRow& row) const {
+  if (crossChecks_.size() == crossChecksRecorded_) return;
+  const CrossCheckRecord& last = crossChecks_.back();
+  const auto fill = [](const std::optional<StressDifference>& difference, auto& mean, auto& l2) {
+    if (difference) mean = difference->mean, l2 = difference->l2;
+  };
+  fill(last.smoothWall, row.crossCheckSmoothMean, row.crossCheckSmoothL2);
+  fill(last.nearStruts, row.crossCheckNearStrutsMean, row.crossCheckNearStrutsL2);
+  fill(last.struts, row.crossCheckStrutsMean, row.crossCheckStrutsL2);
+  row.crossCheckDecidedOtherwise = last.decidedOtherwise;
 }
 
 }  // namespace restenosis

@@ -9,6 +9,7 @@
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
 #include "bridge/coupling/PlannedPart.h"
+#include "bridge/output/CrossCheckRecord.h"
 #include "bridge/output/PvdSeries.h"
 #include "bridge/output/TimeSeries.h"
 
@@ -23,7 +24,7 @@ class RecordPart : public Part {
   /// `stent` is where it stands after deployment; `divisions` are those since then.
   RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder, const Biology& biology,
              LumenExtraction& extraction, const std::optional<Stent>& stent, const std::uint64_t& divisions,
-             PartTimer& timer);
+             const std::vector<CrossCheckRecord>& crossChecks, PartTimer& timer);
 
   std::string_view name() const override { return "record"; }
   bool isPurpose(const Instant&) const override { return true; }
@@ -40,13 +41,14 @@ class RecordPart : public Part {
   /// What has been recorded: part of a checkpoint.
   template <class Archive>
   void archiveFiles(Archive& a) {
-    a(timeSeries_, tissue_, lumenFiles_, solvesRecorded_);
+    a(timeSeries_, tissue_, lumenFiles_, solvesRecorded_, crossChecksRecorded_);
   }
 
  private:
   TimeSeriesRow row(const Instant& now) const;
   void measureLumen(TimeSeriesRow& row) const;
   void measureFlow(TimeSeriesRow& row) const;
+  void fillCrossCheck(TimeSeriesRow& row) const;
 
   Read<Quantity::cellStates> wall_ = read<Quantity::cellStates>();
   Read<Quantity::lumen> lumen_ = read<Quantity::lumen>();
@@ -56,10 +58,12 @@ class RecordPart : public Part {
   LumenExtraction& extraction_;
   const std::optional<Stent>& stent_;
   const std::uint64_t& divisions_;
+  const std::vector<CrossCheckRecord>& crossChecks_;
   PartTimer& timer_;
   TimeSeries timeSeries_;
   PvdSeries tissue_, lumenFiles_;
-  std::uint64_t solvesRecorded_ = 0;  ///< solves of the flow before the last recorded state
+  std::uint64_t solvesRecorded_ = 0;       ///< solves of the flow before the last recorded state
+  std::uint64_t crossChecksRecorded_ = 0;  ///< likewise
 };
 
 }  // namespace restenosis

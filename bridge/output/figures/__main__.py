@@ -2,8 +2,8 @@
 
     /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
 
-Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, beside what they are drawn from, and report.html, one page with
-all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. With
+Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, crossCheck.png where
+the flow was cross-checked, beside what they are drawn from, and report.html, one page with all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. With
 a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
 written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was drawn;
 otherwise the last line printed says what is missing.
@@ -26,6 +26,7 @@ PICTURES = {
     "growth.png": ("growth", "draw"),
     "lumen.png": ("lumen", "draw"),
     "section.png": ("section", "draw"),
+    "crossCheck.png": ("cross_check", "draw"),
     "compareMaps.png": ("compare", "draw_maps"),
     "compareScatter.png": ("compare", "draw_scatter"),
     "tradeoff.png": ("tradeoff", "draw"),

@@ -10,6 +10,7 @@ PICTURES = {
     "growth.png": "Neointima, lumen, coverage and wall shear stress over the days. "
     "A tick marks a recorded state since whose predecessor the flow was solved at least once; "
     "flowSolves in timeSeries.csv counts all solves.",
+    "crossCheck.png": "Wall shear stress by another method against the run's own, and what it would have decided.",
     "section.png": "The wall cut open on the first and the last day.",
     "lumen.png": "The lumen unrolled on several days: narrowing and wall shear stress.",
     "lumen3d.png": "The lumen in space.",
