@@ -111,8 +111,7 @@ bool isNameOfResult(const fs::path& name) {
   static constexpr std::array<std::string_view, 15> files{
       "scene.toml", "timeSeries.csv", "profile.csv", "thicknessMap.csv", "summary.json",
       "tissue.pvd", "lumen.pvd",      "report.html", "figures.log",      "compare.json",
-      "growth.png", "lumen.png",      "section.png", "lumen3d.png",
-      "crossCheck.png"};
+      "growth.png", "lumen.png",      "section.png", "lumen3d.png",      "crossCheck.png"};
   return isAmong(files, name) || isNameOfResultFolder(name);
 }
 
