@@ -109,7 +109,8 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   omp_set_num_threads(threads);
   const ComparedLumen lumen =
       given ? std::move(*given) : deployedLumen(scene, folder / "deployment", threads, stopRequested);
-  const ProbeLines lines = probeLines(lumen.surface);
+  // Sections of a bent lumen are not planes of constant z
+  const ProbeLines lines = lumen.bent ? ProbeLines() : probeLines(lumen.surface);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const LbmSettings lbm = scene.lbmSettings();
   const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
@@ -127,7 +128,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   const SolvedFlow reference = solve(flowBackendNames::foam), other = solve(flowBackendNames::lbm);
 
   const FlowComparison result = compareFlows(lumen.surface, lines, reference, other, strutMiddles(scene));
-  const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx, lumen.alongZ};
+  const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx, lumen.bent, lumen.alongZ};
   writeComparisonJson(folder / "compare.json", what, result, reference, other);
   writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, what);
   writeComparedVelocities(folder / "compareVelocity.csv", result, reference, other, what);

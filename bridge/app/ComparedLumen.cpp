@@ -20,14 +20,15 @@ namespace restenosis {
 
 namespace {
 
-/// The lumen of a day moved so that it lies along z. Throws LumenRefused where it bends.
-ComparedLumen laidAlongZ(const TriSurface& lumen, double day, const std::filesystem::path& file) {
-  const auto frame = frameAlongZ(lumen);
-  if (!frame)
-    throw LumenRefused(
-        fmt::format("{}: only a lumen between two parallel planes can be compared: lbm solves in no other",
-                    file.string()));
-  return {movedAlongZ(lumen, *frame), day, *frame};
+/// The lumen of a day, laid where both backends solve in it. Throws LumenRefused where it is none.
+ComparedLumen laidOfDay(const TriSurface& lumen, double day, const std::filesystem::path& file) {
+  try {
+    LaidLumen laid = laidLumen(lumen);
+    const bool bent = !liesAlongZ(laid.surface);
+    return {std::move(laid.surface), day, laid.frame, bent};
+  } catch (const std::invalid_argument& error) {
+    throw LumenRefused(fmt::format("{}: {}", file.string(), error.what()));
+  }
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 }
 
 ComparedLumen loadedLumen(const Scene& scene) {
-  return laidAlongZ(loadLumen(scene.vessel), 0.0, scene.vessel.lumenSurface);
+  return laidOfDay(loadLumen(scene.vessel), 0.0, scene.vessel.lumenSurface);
 }
 
 std::vector<Vec3> strutMiddles(const Scene& scene) {
@@ -66,7 +67,7 @@ ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<
     const RecordedLumen& chosen = day ? lumenOfDay(lumens, *day) : lumens.back();
     const TriSurface lumen = readLumen(chosen.file);
     if (liesAlongZ(lumen)) return {lumen, chosen.day};
-    return laidAlongZ(lumen, chosen.day, chosen.file);
+    return laidOfDay(lumen, chosen.day, chosen.file);
   } catch (const LumenRefused&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -12,11 +12,12 @@
 
 namespace restenosis {
 
-/// The lumen that flows are compared in, along z, and the day it is of.
+/// The lumen that flows are compared in, along z or beginning so (laidLumen), and the day it is of.
 struct ComparedLumen {
   TriSurface surface;
   double day = 0.0;
   Eigen::Isometry3d alongZ = Eigen::Isometry3d::Identity();  ///< the motion that laid it so
+  bool bent = false;                                         ///< whether it begins along z only
 };
 
 /// A lumen from a file that cannot be compared: the file is named, and what is needed.
@@ -29,8 +30,7 @@ struct LumenRefused : std::runtime_error {
 ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& folder, int threads,
                             const std::atomic<bool>* stopRequested);
 
-/// The lumen that a scene loads from a file, laid along z. Throws LumenRefused where it cannot be: the
-/// lattice Boltzmann method needs it so.
+/// The lumen that a scene loads from a file. Throws LumenRefused where it is none.
 ComparedLumen loadedLumen(const Scene& scene);
 
 /// Places on the middles of a scene's struts where they stand after deployment, close to each other; none

@@ -1,6 +1,8 @@
 #include "bridge/compare/ComparedParts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "bridge/flow/LumenShape.h"
 #include "bridge/surface/PointTree.h"
@@ -51,11 +53,19 @@ ComparedFaces comparedFaces(const TriSurface& lumen, std::span<const Vec3> strut
   }
   for (Vec3& place : middles) place = onCylinder(place, radius);
   const PointTree buried(std::move(middles));
-  const double first = lumenEnd(lumen, SurfaceRegion::inlet).z + settings.endLength,
-               last = lumenEnd(lumen, SurfaceRegion::outlet).z - settings.endLength;
+  const std::array ends{endPlane(lumen, SurfaceRegion::inlet), endPlane(lumen, SurfaceRegion::outlet)};
+  const bool straight = liesAlongZ(lumen);
+  const auto atEnd = [&](const Vec3& place) {
+    return std::ranges::any_of(ends, [&](const EndPlane& end) {
+      const Vec3 from = place - end.centre;
+      // A bent lumen may pass the plane of an end elsewhere
+      return std::abs(end.normal.dot(from)) < settings.endLength &&
+             (straight || from.norm() < 2.0 * std::sqrt(end.area / std::numbers::pi));
+    });
+  };
   const auto partOf = [&](std::size_t t) {
     const Vec3 centre = lumen.centre(t);
-    if (centre.z() < first || centre.z() > last) return ComparedPart::ends;
+    if (atEnd(centre)) return ComparedPart::ends;
     if (lumen.region[t] == SurfaceRegion::strut) return ComparedPart::strut;
     const bool nearStrut = within(strutFaces, centre, settings.strutReach) ||
                            within(buried, onCylinder(centre, radius), settings.strutReach);

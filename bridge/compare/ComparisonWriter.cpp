@@ -77,6 +77,7 @@ void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& 
   json["day"] = what.day;
   json["fidelity"] = what.fidelity;
   json["latticeSpacing_um"] = what.latticeSpacing * 1e6;
+  json["bent"] = what.bent;
   json["alongZ"] = motionJson(what.alongZ);
   json["version"] = version();
   json["reference"] = reference.backend;

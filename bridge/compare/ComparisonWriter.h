@@ -15,6 +15,7 @@ struct ComparedCase {
   double day = 0.0;             ///< of the lumen
   double latticeSpacing = 0.0;  ///< [m]
   /// The motion that laid the lumen along z before it was compared. Files say where things lay before it.
+  bool bent = false;  ///< whether the lumen begins along z only
   Eigen::Isometry3d alongZ = Eigen::Isometry3d::Identity();
 };
 

@@ -67,23 +67,25 @@ Eigen::Isometry3d frameOfInlet(const TriSurface& lumen) {
   return frameFrom(-inlet.normal, inlet.centre);
 }
 
+LaidLumen laidLumen(const TriSurface& lumen) {
+  requireLumenWithPlanarEnds(lumen);
+  if (const auto along = frameAlongZ(lumen)) return {movedAlongZ(lumen, *along), *along};
+  const Eigen::Isometry3d frame = frameOfInlet(lumen);
+  LaidLumen laid{moved(lumen, frame), frame};
+  flatten(laid.surface, SurfaceRegion::inlet);
+  return laid;
+}
+
 FlowSolution AnyDirection::solve(const TriSurface& lumen, const FlowConditions& conditions,
                                  const std::filesystem::path& caseFolder) {
-  TriSurface laid;
+  LaidLumen laid;
   try {
-    requireLumenWithPlanarEnds(lumen);
-    if (const auto along = frameAlongZ(lumen)) {
-      frame_ = *along;
-      laid = movedAlongZ(lumen, frame_);
-    } else {
-      frame_ = frameOfInlet(lumen);
-      laid = moved(lumen, frame_);
-      flatten(laid, SurfaceRegion::inlet);
-    }
+    laid = laidLumen(lumen);
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(error.what(), {});
   }
-  FlowSolution solution = backend_->solve(laid, conditions, caseFolder);
+  frame_ = laid.frame;
+  FlowSolution solution = backend_->solve(laid.surface, conditions, caseFolder);
   const Eigen::Isometry3d back = frame_.inverse();
   for (WallFace& face : solution.wall) {
     face.centre = back * face.centre;

@@ -20,6 +20,16 @@ TriSurface movedAlongZ(const TriSurface& lumen, const Eigen::Isometry3d& frame);
 /// along z; the lumen may bend as it likes behind it.
 Eigen::Isometry3d frameOfInlet(const TriSurface& lumen);
 
+/// A lumen where backends solve in it, and the motion that has laid it there.
+struct LaidLumen {
+  TriSurface surface;
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+};
+
+/// The lumen laid along z, or, where there is no such motion, so that it begins along z (frameOfInlet).
+/// Throws std::invalid_argument for a surface that is no lumen (requireLumenWithPlanarEnds).
+LaidLumen laidLumen(const TriSurface& lumen);
+
 /// Solves in lumens that point in any direction by a backend for lumens along z: the lumen is moved, the
 /// solution moved back. A lumen that cannot be laid along z begins along z; backends that cannot solve in it
 /// say so.

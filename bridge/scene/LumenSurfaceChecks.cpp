@@ -177,13 +177,12 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
     return extent;
   }
 
-  const bool anyShape = !scene.flow || scene.flow->backend == flowBackendNames::foam ||
-                        scene.flow->backend == flowBackendNames::none;
-  if (!anyShape && !straight)
+  if (!straight && scene.flow && scene.flow->backend == flowBackendNames::analytic)
     blame(
         FlowParameters::section, "backend",
-        fmt::format("\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam",
-                    scene.flow->backend, endsOf(lumen)),
+        fmt::format(
+            "\"{}\" needs a lumen between two parallel planes, but of 'lumenSurface' {}; choose foam or lbm",
+            scene.flow->backend, endsOf(lumen)),
         document, findings);
   if (!straight && scene.flow && scene.flow->straightEnds > 0)
     checkStraightEnds(lumen, scene.flow->straightEnds, document, findings);

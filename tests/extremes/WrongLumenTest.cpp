@@ -219,8 +219,8 @@ TEST_F(WrongLumen, NotANumber) {
 
 TEST_F(WrongLumen, BentForABackendThatNeedsStraight) {
   write(bentTube(vesselRadius, 1e-3, 2e-3, 1e-3));
-  expectRefused(loadedScene, {"'backend' in [flow]", "90 degrees from parallel", "choose foam"},
-                {"--flow", "lbm"});
+  expectRefused(loadedScene, {"'backend' in [flow]", "90 degrees from parallel", "choose foam or lbm"},
+                {"--flow", "analytic"});
 }
 
 TEST_F(WrongLumen, StraightEndsThatRunIntoTheVessel) {

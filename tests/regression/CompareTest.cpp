@@ -132,6 +132,26 @@ TEST_F(Compare, WhatComesOutLiesWhereTheLumenDoes) {
   EXPECT_NEAR(json["alongZ"]["rotation"][2][1], 2.0 / 3.0, 1e-3);
 }
 
+TEST_F(Compare, BothMethodsAgreeInABentLumen) {
+  const SurfaceRegion open[] = {SurfaceRegion::wall};
+  const auto motion = support::motionTo(Vec3(1, 2, 2), Vec3(1e-3, 0, 2e-3));
+  writeStl(folder / "bent.stl", support::moved(support::bentTube(0.5e-3, 0.6e-3, 1e-3, 0.4e-3), motion), 1e-3,
+           open);
+  const std::string bent =
+      scene("bent", with(with(straightTube, "length = \"0.6 mm\"\nlumenDiameter = \"1.8 mm\"",
+                              "lumenSurface = \"bent.stl\""),
+                         "pictures = false", "pictures = true"));
+  ASSERT_EXIT_STATUS(run({"compare", bent, "-o", "out", "--set", "lbm.dx=40 um"}), 0);
+  const auto json = nlohmann::json::parse(readText(folder / "out/compare.json"));
+  EXPECT_TRUE(json["bent"]);
+  EXPECT_LT(std::abs(json["wss"]["smoothWall"]["meanDifference"].get<double>()), 0.02);
+  EXPECT_LT(json["wss"]["smoothWall"]["relativeL2"], 0.08);
+  EXPECT_LT(std::abs(json["pressureDropDifference"].get<double>()), 0.03);
+  EXPECT_FALSE(json.contains("velocity")) << "its sections are not planes of constant z";
+  EXPECT_TRUE(exists("out/compareScatter.png"));
+  EXPECT_FALSE(exists("out/compareMaps.png"));
+}
+
 TEST_F(Compare, DamagedResultsAreRefusedBeforeAnythingIsWritten) {
   ASSERT_EXIT_STATUS(run({"run", scene("straight", straightTube), "-o", "done", "--flow", "analytic"}), 0);
   writeText(folder / "done/lumen.pvd", "<DataSet timestep=\"x\" file=\"lumen/a.vtp\"/>");

@@ -1,5 +1,4 @@
 #include "bridge/surface/StlFile.h"
-#include "tests/support/SweptTube.h"
 #include "tests/support/WholeProgram.h"
 
 namespace restenosis {
@@ -125,24 +124,6 @@ pictures = false
   const auto given = lines("spacing/tradeoff.csv");
   ASSERT_EQ(given.size(), 4u) << "one spacing is one lattice";
   EXPECT_TRUE(given[3].starts_with("scene.fidelity (lbm),reference,")) << given[3];
-}
-
-TEST_F(Tradeoff, RefusesALumenThatTheLatticeCannotSolveIn) {
-  const SurfaceRegion open[] = {SurfaceRegion::wall};
-  writeStl(folder / "bent.stl", support::bentTube(0.5e-3, 0.6e-3, 1e-3, 0.4e-3), 1e-3, open);
-  const std::string bent = scene("bent", R"([scene]
-duration = "1 h"
-[vessel]
-lumenSurface = "bent.stl"
-[flow]
-)");
-  for (const char* command : {"tradeoff", "compare"}) {
-    const ProcessEnd end = run({command, bent, "-o", "out"});
-    EXPECT_EXIT_STATUS(end, 2);
-    EXPECT_NE(end.err.find("bent.stl: only a lumen between two parallel planes"), std::string::npos)
-        << end.err;
-    EXPECT_FALSE(exists("out"));
-  }
 }
 
 TEST_F(Tradeoff, RefusesWhatIsNoSweepBeforeAnythingIsWritten) {

@@ -27,6 +27,28 @@ TEST(FoamBackend, poiseuilleAtFixedFlowRate) {
   EXPECT_TRUE(std::filesystem::exists(scratch.path() / "case/case.foam"));
 }
 
+/// Tissue that has covered a strut leaves now and then a last triangle of it.
+TEST(FoamBackend, aSpeckOfAStrutThatNoCellShowsIsWall) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  TriSurface lumen = tube(vesselRadius, vesselLength, 120);
+  const auto middle = std::ranges::find_if(lumen.triangles, [&](const auto& t) {
+    return std::abs(lumen.vertices[t[0]].z() - vesselLength / 2) < 1e-6;
+  });
+  const auto speck = static_cast<std::size_t>(middle - lumen.triangles.begin());
+  ASSERT_LT(speck, lumen.triangles.size());
+  ASSERT_EQ(lumen.region[speck], SurfaceRegion::wall);
+  lumen.region[speck] = SurfaceRegion::strut;
+  FoamSettings settings = FoamSettings::forFidelity("draft");
+  settings.strutLevel = settings.wallLevel;
+  FoamBackend backend(settings);
+  const auto s = backend.solve(lumen, vesselConditions(), scratch / "case");
+  for (const WallFace& face : s.wall) EXPECT_EQ(face.region, SurfaceRegion::wall);
+  ASSERT_EQ(s.remarks.size(), 1u);
+  EXPECT_NE(s.remarks[0].find("less than the mesh can show"), std::string::npos) << s.remarks[0];
+  EXPECT_LT(std::abs(stressError(s, vesselStress(), endMargin, vesselLength - endMargin).mean), meanLimit);
+}
+
 /// A flow rate of 2.5e-15 m^3/s: more decimals than OpenFOAM gives a number in an expression.
 TEST(FoamBackend, poiseuilleInTheSlowestFlowAllowed) {
   RESTENOSIS_NEEDS_OPENFOAM();

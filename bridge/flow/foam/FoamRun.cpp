@@ -23,6 +23,10 @@ constexpr double cubicMillimetre = mm * mm * mm, squareMillimetre = mm * mm;
 /// Part of the wall's cells along an end's rim that snapping may leave out of the end: it makes the rim a
 /// polygon, and cuts off corners (assumed).
 constexpr double cornersCut = 0.5;
+
+/// Struts of which the lumen shows no more than so many faces of cells may be missing in the mesh: tissue has
+/// covered them (assumed).
+constexpr double mostFacesOfLostStruts = 100;
 }  // namespace
 
 FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
@@ -148,7 +152,8 @@ std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerC
   if (lumen_.ends != LumenEnds::cut)
     throw MorphRefused("the lumen does not lie along z", "the mesh's ends cannot be kept in their planes");
   const auto* strut = former.patch("strut");
-  if ((strut != nullptr && strut->faces > 0) != lumen_.hasStruts())
+  meshHasStruts_ = strut != nullptr && strut->faces > 0;
+  if (meshHasStruts_ != lumen_.hasStruts())
     throw MorphRefused("struts have been covered or laid bare altogether", "the mesh's patches do not fit");
   PolyMesh mesh = former;
   try {
@@ -196,11 +201,17 @@ void FoamRun::checkPatches() {
                     faces["outlet"] == 0 ? "outlet" : "inlet", log("snappyHexMesh").string()),
         log("snappyHexMesh"));
   if (faces["wall"] == 0) fail("snappyHexMesh", "the mesh has no faces on the wall");
-  if (lumen_.hasStruts() && faces["strut"] == 0)
+  meshHasStruts_ = faces["strut"] > 0;
+  if (!lumen_.hasStruts() || meshHasStruts_) return;
+  const double seen = lumen_.strutArea / (settings_.strutCell() * settings_.strutCell());
+  if (seen > mostFacesOfLostStruts)
     fail(
         "snappyHexMesh",
         "the mesh has no faces on the struts: its cells are too large for what is left of them in the lumen; "
         "choose a finer scene.fidelity, or a higher strutLevel in [foam]");
+  solution_.remarks.push_back(
+      fmt::format("tissue covers the struts but for {:.3g} um^2, less than the mesh can show: taken for wall",
+                  1e12 * lumen_.strutArea));
 }
 
 void FoamRun::solve(const FoamStart* start) {
@@ -253,7 +264,7 @@ void FoamRun::readWall() {
       folder_ / "postProcessing/surface" / std::to_string(solution_.iterations);  // none of another iteration
   try {
     appendWallPatch(samples / "wall.vtp", SurfaceRegion::wall, conditions_.density, solution_.wall);
-    if (lumen_.hasStruts())
+    if (meshHasStruts_)
       appendWallPatch(samples / "strut.vtp", SurfaceRegion::strut, conditions_.density, solution_.wall);
   } catch (const std::runtime_error& error) {
     fail("simpleFoam", error.what());

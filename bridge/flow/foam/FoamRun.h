@@ -72,6 +72,7 @@ class FoamRun {
   const FoamSettings& settings_;
   const FoamExecution& execution_;
   FlowSolution solution_;
+  bool meshHasStruts_ = false;
 };
 
 }  // namespace restenosis

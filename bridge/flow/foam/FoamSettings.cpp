@@ -23,6 +23,7 @@ constexpr std::array levels = {Level{"draft", 90e-6, 1, 2, 1, 3}, Level{"standar
 }  // namespace
 
 double FoamSettings::wallCell() const { return cellSize / std::exp2(static_cast<double>(wallLevel)); }
+double FoamSettings::strutCell() const { return cellSize / std::exp2(static_cast<double>(strutLevel)); }
 
 void FoamSettings::describe(ParameterVisitor& p) {
   p.quantity(cellSize, {.key = "cellSize",

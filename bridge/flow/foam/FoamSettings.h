@@ -41,6 +41,7 @@ struct FoamSettings {
   bool operator==(const FoamSettings&) const = default;
   /// Size of the cells at the wall [m].
   double wallCell() const;
+  double strutCell() const;  ///< the same at struts
   void describe(ParameterVisitor& p);
   /// The settings of a fidelity level: draft, standard or reference. Throws std::invalid_argument for others.
   static FoamSettings forFidelity(std::string_view fidelity);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bridge/flow/lbm/InletLayer.h"
+
 namespace restenosis {
 namespace {
 
@@ -78,15 +80,12 @@ double DevelopedInlet::source(const Step& node, int direction) const {
 
 LumenLattice DevelopedInlet::layer(const LumenLattice& lattice,
                                    const std::vector<SurfaceRegion>& region) const {
-  std::vector<std::uint8_t> fluid(static_cast<std::size_t>(lattice.frame.size[0] * lattice.frame.size[1]), 0);
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(x * lattice.frame.size[1] + y); };
-  for (const NodeRun& run : lattice.layout.runs())
-    if (run.z == 0) fluid[at(run.x, run.y)] = 1;
-  const auto isFluid = [&](int x, int y) {
-    return x >= 0 && y >= 0 && x < lattice.frame.size[0] && y < lattice.frame.size[1] && fluid[at(x, y)] != 0;
-  };
+  const InletLayer behind(lattice, region);
+  const auto isFluid = [&](int x, int y) { return behind.contains(x, y); };
   LatticeFrame frame = lattice.frame;
   frame.size[2] = 1;
+  frame.inletLayer = 0;
+  frame.alongZ = true;
   ColumnLayout layout(frame.size, [&](int x, int y, int) { return isFluid(x, y); });
 
   std::vector<SurfaceLink> links;
@@ -97,13 +96,13 @@ LumenLattice DevelopedInlet::layer(const LumenLattice& lattice,
   for (const SurfaceLink& link : lattice.links) {
     const Step& c = d3q19::c[link.direction];
     const SurfaceRegion crossed = region[link.triangle];
-    if (link.coordinates[2] != 0 || c[2] != 0 || crossed == SurfaceRegion::inlet ||
+    if (!behind.contains(link.coordinates) || c[2] != 0 || crossed == SurfaceRegion::inlet ||
         crossed == SurfaceRegion::outlet)
       continue;
-    add(link.coordinates, link.direction, link.q, link.interpolable, 0);
+    const Step node{link.coordinates[0], link.coordinates[1], 0};
+    add(node, link.direction, link.q, link.interpolable, 0);
     if (c[0] * c[1] != 0) continue;  // D3Q19 has no links along the diagonals of space
-    for (const int z : {-1, 1})
-      add(link.coordinates, directionOf(c[0], c[1], z), link.q, link.interpolable, 0);
+    for (const int z : {-1, 1}) add(node, directionOf(c[0], c[1], z), link.q, link.interpolable, 0);
   }
   for (const NodeRun& run : layout.runs())
     for (int direction = 1; direction < d3q19::directions; ++direction) {

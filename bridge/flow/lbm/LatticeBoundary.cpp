@@ -10,6 +10,9 @@ namespace {
 
 using d3q19::Step;
 
+/// A node on the wall would make a gradient at it infinite [spacings].
+constexpr double nearestWall = 0.1;
+
 class BoundaryMaker {
  public:
   BoundaryMaker(const LumenLattice& lattice, WallRule rule, const LatticeEnds& ends)
@@ -18,6 +21,7 @@ class BoundaryMaker {
   }
 
   LatticeBoundary make(const std::vector<SurfaceRegion>& region) {
+    region_ = &region;
     for (const SurfaceLink& link : lattice_.links) {
       const SurfaceRegion end = region[link.triangle];
       const bool inlet = end == SurfaceRegion::inlet, outlet = end == SurfaceRegion::outlet;
@@ -25,6 +29,8 @@ class BoundaryMaker {
         addThin(link);
       else if ((inlet || outlet) && ends_.inlet == LatticeEnds::Inlet::periodic)
         addPassage(link);
+      else if (outlet && !lattice_.frame.alongZ)
+        addOpen(link);
       else if (outlet || (inlet && ends_.inlet == LatticeEnds::Inlet::pressure))
         addPressure(link, outlet);
       else if (inlet && ends_.source && !entersInside(link))
@@ -83,8 +89,9 @@ class BoundaryMaker {
     if (rule_ == WallRule::interpolated) {
       const int opposite = d3q19::opposite(link.direction);
       const Step behind = d3q19::moved(link.coordinates, opposite);
-      bool interpolable = link.interpolable;
-      if (behind[2] < 0 || behind[2] >= layout_.size()[2]) {
+      // Through an open outlet arrives what OpenLinks puts there
+      bool interpolable = link.interpolable || leadsThroughOpenOutlet(link.node, opposite);
+      if (isBeyondEnd(link, behind[2])) {
         if (ends_.inlet == LatticeEnds::Inlet::periodic) {
           interpolable = fluidAt_.contains(layout_.place(wrapped(behind)));
         } else {
@@ -104,6 +111,20 @@ class BoundaryMaker {
     }
     if (inlet) wall.source = inletSource(link, q);
     result_.wall.push_back(wall);
+  }
+
+  /// Whether the node behind a link, in this layer, lies beyond an end that is a layer.
+  bool isBeyondEnd(const SurfaceLink& link, int layer) const {
+    if (lattice_.frame.alongZ) return layer < 0 || layer >= layout_.size()[2];
+    if (layer >= lattice_.frame.inletLayer || link.coordinates[2] != lattice_.frame.inletLayer) return false;
+    const SurfaceLink* crossed = find(link.node, d3q19::opposite(link.direction));
+    return crossed != nullptr && (*region_)[crossed->triangle] == SurfaceRegion::inlet;
+  }
+
+  bool leadsThroughOpenOutlet(std::uint32_t node, int direction) const {
+    if (lattice_.frame.alongZ) return false;
+    const SurfaceLink* crossed = find(node, direction);
+    return crossed != nullptr && (*region_)[crossed->triangle] == SurfaceRegion::outlet;
   }
 
   double inletSource(const SurfaceLink& link, double q) const {
@@ -141,6 +162,14 @@ class BoundaryMaker {
     nodes[entry->second].links |= std::uint32_t{1} << link.direction;
   }
 
+  void addOpen(const SurfaceLink& link) {
+    const Step& c = d3q19::c[link.direction];
+    const double halfLinkOff = (0.5 - link.q) * ends_.outletGradient.dot(Vec3(c[0], c[1], c[2]));
+    const SurfaceLink* behind = find(link.node, d3q19::opposite(link.direction));
+    const double wallBehind = behind != nullptr ? std::max(behind->q, nearestWall) : 0.0;
+    result_.open.push_back({link.coordinates, link.direction, wallBehind, halfLinkOff});
+  }
+
   void addPassage(const SurfaceLink& link) {
     const int opposite = d3q19::opposite(link.direction);
     const Step target = wrapped(d3q19::moved(link.coordinates, link.direction));
@@ -172,6 +201,7 @@ class BoundaryMaker {
   const ColumnLayout& layout_;
   WallRule rule_;
   const LatticeEnds& ends_;
+  const std::vector<SurfaceRegion>* region_ = nullptr;
   FluidPlaces fluidAt_;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> pressureNode_;
   LatticeBoundary result_;

@@ -22,6 +22,8 @@ struct LatticeEnds {
   double inletDensity = 0.0;                           ///< departure from 1, for Inlet::pressure; 3 p
   /// Replaces the sources that follow from the velocity, for Inlet::velocity: by node and direction.
   std::function<double(const d3q19::Step& node, int direction)> source;
+  /// Gradient of the density along the flow at an outlet that is no layer, times the unit vector.
+  Vec3 outletGradient = Vec3::Zero();
 };
 
 /// Everything that the surface does to populations, as places in storage. Slot i of a place holds the
@@ -58,13 +60,24 @@ struct LatticeBoundary {
     std::uint32_t evenFrom, evenTo, oddFrom, oddTo;
   };
 
+  /// A link through an outlet that is no layer of the lattice: OpenLinks.
+  struct OpenLink {
+    d3q19::Step node;
+    std::uint8_t direction;
+    double wallBehind;  ///< distance to the wall behind, against the direction; 0 where there is a node
+    double density;     ///< departure from 1, half a link away
+  };
+
   std::vector<WallLink> wall;
+  std::vector<OpenLink> open;
   std::vector<ThinLink> thin;
   std::vector<PressureNode> pressureNodes;
-  /// The sum of u_z over those inner nodes of the outlet in the steady state. Sound leaves through the outlet
-  /// instead of being thrown back by a fixed pressure: the outlet's density follows the outflow's departure
-  /// from this sum, as in a plane wave, and is 0 once they agree. Not used where negative, nor with a force.
+  /// The sum of u_z over those inner nodes of the outlet in the steady state, or the flow through open links.
+  /// Sound leaves through the outlet instead of being thrown back by a fixed pressure: the outlet's density
+  /// follows the outflow's departure from this sum, as in a plane wave, and is 0 once they agree. Not used
+  /// where negative, nor with a force.
   double expectedOutflow = -1.0;
+  double outletArea = 0.0;  ///< of open links, in squares of the spacing
   std::vector<Passage> passages;
 };
 

@@ -59,6 +59,7 @@ LatticeFlow<Real>::LatticeFlow(const ColumnLayout& layout, LatticeBoundary bound
     : layout_(layout),
       relaxation_(relaxation),
       links_(layout, boundary),
+      open_(layout, boundary, relaxation.tau),
       thin_(std::move(boundary.thin)),
       passages_(std::move(boundary.passages)),
       shares_(portions(layout.runs())) {
@@ -152,8 +153,15 @@ void LatticeFlow<Real>::joinEnds() {
 #pragma omp for schedule(static)
     for (std::size_t n = 0; n < thin_.size(); ++n) std::swap(f[thin_[n].a], f[thin_[n].b]);
   }
+  if (open_.size() > 0) {
+#pragma omp for schedule(static)
+    for (std::size_t n = 0; n < open_.size(); ++n) open_.serve(n, parity == Parity::even, f);
+  }
 #pragma omp single
-  links_.releaseSound();
+  {
+    links_.releaseSound();
+    open_.releaseSound();
+  }
 }
 
 template <class Real>

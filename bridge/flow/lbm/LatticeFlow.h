@@ -9,6 +9,7 @@
 #include "bridge/flow/lbm/Collision.h"
 #include "bridge/flow/lbm/LatticeBoundary.h"
 #include "bridge/flow/lbm/LumenLattice.h"
+#include "bridge/flow/lbm/OpenLinks.h"
 #include "bridge/flow/lbm/RunLinks.h"
 
 namespace restenosis {
@@ -50,6 +51,8 @@ class LatticeFlowBase {
   virtual void advance(int pairs) = 0;
   /// The flow at a place that holds fluid.
   virtual NodeState state(std::uint32_t place) const = 0;
+  /// Volume that has left through open links in the last step.
+  virtual double openOutflow() const = 0;
 };
 
 template <class Real>
@@ -61,6 +64,7 @@ class LatticeFlow : public LatticeFlowBase {
   void initialise(const std::function<NodeState(std::uint32_t place)>& state) override;
   void advance(int pairs) override;
   NodeState state(std::uint32_t place) const override;
+  double openOutflow() const override { return open_.outflow(); }
   /// Population that arrives at a place in a direction; its departure from the weight.
   double population(std::uint32_t place, int direction) const {
     return static_cast<double>(populations_[slot(place, direction)]);
@@ -91,6 +95,7 @@ class LatticeFlow : public LatticeFlowBase {
   Collision<Real> collision_;
   bool forced_;
   RunLinks<Real> links_;
+  OpenLinks<Real> open_;
   std::vector<LatticeBoundary::ThinLink> thin_;
   std::vector<LatticeBoundary::Passage> passages_;
   std::vector<std::size_t> shares_;  // runs in portions of about equal numbers of nodes

@@ -18,10 +18,14 @@ constexpr double largestRelaxationTime = 2.0;
 }
 
 FlowEstimate::FlowEstimate(const TriSurface& lumen, const FlowConditions& conditions, int stations) {
+  if (!liesAlongZ(lumen)) {
+    fromEnds(lumen, conditions);
+    return;
+  }
   const LumenEnd inlet = lumenEnd(lumen, SurfaceRegion::inlet);
-  const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
+  length_ = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
   centre_ = inlet.centre;
-  spacing_ = length / stations;
+  spacing_ = length_ / stations;
   first_ = inlet.z + 0.5 * spacing_;
   std::vector<double> z;
   for (int i = 0; i < stations; ++i) z.push_back(first_ + i * spacing_);
@@ -40,9 +44,21 @@ FlowEstimate::FlowEstimate(const TriSurface& lumen, const FlowConditions& condit
   }
   flowRate_ = conditions.drive == FlowConditions::Drive::flowRate
                   ? conditions.flowRate
-                  : conditions.pressureGradient * length / resistance;
+                  : conditions.pressureGradient * length_ / resistance;
   for (double& p : pressure_) p *= flowRate_;
   peak_ = 2.0 * flowRate_ / *narrowest;
+}
+
+void FlowEstimate::fromEnds(const TriSurface& lumen, const FlowConditions& conditions) {
+  const double inlet = endPlane(lumen, SurfaceRegion::inlet).area,
+               outlet = endPlane(lumen, SurfaceRegion::outlet).area;
+  const double narrowest = std::min(inlet, outlet);
+  length_ = enclosedVolume(lumen) / (0.5 * (inlet + outlet));
+  flowRate_ =
+      conditions.drive == FlowConditions::Drive::flowRate
+          ? conditions.flowRate
+          : conditions.pressureGradient * narrowest * narrowest / (8.0 * pi * conditions.dynamicViscosity());
+  peak_ = 2.0 * flowRate_ / narrowest;
 }
 
 std::size_t FlowEstimate::station(double z) const {
@@ -50,9 +66,12 @@ std::size_t FlowEstimate::station(double z) const {
   return static_cast<std::size_t>(std::clamp(std::round((z - first_) / spacing_), 0.0, last));
 }
 
-double FlowEstimate::pressure(const Vec3& position) const { return pressure_[station(position.z())]; }
+double FlowEstimate::pressure(const Vec3& position) const {
+  return knowsEndsOnly() ? 0.0 : pressure_[station(position.z())];
+}
 
 double FlowEstimate::velocity(const Vec3& position) const {
+  if (knowsEndsOnly()) return 0.0;
   const double area = area_[station(position.z())];
   const double square = (position - centre_).head<2>().squaredNorm() * pi / area;
   return 2.0 * flowRate_ / area * std::max(0.0, 1.0 - square);

@@ -19,7 +19,8 @@ struct LatticeUnits {
   }
 };
 
-/// What can be said of a flow before solving it, from Poiseuille's law in every cross-section.
+/// What can be said of a flow before solving it, from Poiseuille's law in every cross-section. Of a lumen
+/// that does not lie along z it knows its ends and its volume only, and starts it at rest.
 class FlowEstimate {
  public:
   /// Throws std::invalid_argument where the lumen is closed.
@@ -29,12 +30,18 @@ class FlowEstimate {
   /// Pressure above that of the outlet [Pa], and velocity along the axis [m/s], at a point.
   double pressure(const Vec3& position) const;
   double velocity(const Vec3& position) const;
+  double length() const { return length_; }  ///< along the lumen [m]
+  /// Whether the lumen may be narrower somewhere than the estimate knows.
+  bool knowsEndsOnly() const { return area_.empty(); }
+  /// The flow has turned out to be so much faster somewhere.
+  void raisePeak(double factor) { peak_ *= factor; }
 
  private:
+  void fromEnds(const TriSurface& lumen, const FlowConditions& conditions);
   std::size_t station(double z) const;
 
-  Vec3 centre_;
-  double first_, spacing_, flowRate_ = 0.0, peak_ = 0.0;
+  Vec3 centre_ = Vec3::Zero();
+  double first_ = 0.0, spacing_ = 0.0, length_ = 0.0, flowRate_ = 0.0, peak_ = 0.0;
   std::vector<double> area_, pressure_;
 };
 

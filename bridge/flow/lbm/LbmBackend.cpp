@@ -34,6 +34,8 @@ constexpr int mostHalvings = 3;
 constexpr double mostNodesOfHalved = 1e6;
 /// Nodes across the inlet below which a coarser lattice is of no use.
 constexpr double fewestNodesAcross = 16.0;
+/// How often the time step is halved in a lumen whose narrowest place is not known (assumed).
+constexpr int mostShorterSteps = 4;
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
 constexpr double massLimit = 0.05, massRemark = 0.01;
 
@@ -71,7 +73,7 @@ std::vector<double> spacings(const TriSurface& lumen, const LbmSettings& setting
   if (!(settings.dx > 0.0) || !std::isfinite(settings.dx))
     throw std::invalid_argument(
         fmt::format("dx in [lbm] is {} m; it must be a positive length", settings.dx));
-  const double across = 2.0 * std::sqrt(lumenEnd(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
+  const double across = 2.0 * std::sqrt(endPlane(lumen, SurfaceRegion::inlet).area / std::numbers::pi);
   if (across < fewestSpacings * settings.dx)
     throw std::invalid_argument(
         fmt::format("the inlet is {:.4g} mm wide, less than {} spacings of {:.4g} um: choose a smaller dx in "
@@ -127,7 +129,7 @@ class LevelSolver {
       const bool finest = dx == levels.back();
       std::unique_ptr<SteadyLattice> lattice;
       try {
-        lattice = solveOn(dx, finest ? settings_.tolerance : coarseTolerance * settings_.tolerance);
+        lattice = solveSlowly(dx, finest ? settings_.tolerance : coarseTolerance * settings_.tolerance);
       } catch (const std::exception& error) {
         if (finest) throw;
         log_.line("  left out: {}", error.what());
@@ -144,9 +146,22 @@ class LevelSolver {
  private:
   bool stopped() const { return stopRequested_ && *stopRequested_; }
 
+  /// Where a lumen may be narrower than is known, and the flow faster, once more with shorter time steps.
+  std::unique_ptr<SteadyLattice> solveSlowly(double dx, double tolerance) {
+    for (int shorter = 0;; ++shorter) {
+      try {
+        return solveOn(dx, tolerance);
+      } catch (const LatticeDiverged& error) {
+        if (!estimate_.knowsEndsOnly() || shorter == mostShorterSteps) throw;
+        log_.line("  {}; once more with half the time step", error.what());
+        estimate_.raisePeak(2.0);
+      }
+    }
+  }
+
   std::unique_ptr<SteadyLattice> solveOn(double dx, double tolerance) {
     auto began = Clock::now();
-    auto lattice = std::make_unique<SteadyLattice>(lumen_, conditions_, settings_, dx);
+    auto lattice = std::make_unique<SteadyLattice>(lumen_, conditions_, settings_, estimate_, dx);
     lattice->start(start_);
     solution_.meshSeconds += secondsSince(began);
     log_.line("spacing {:.4g} um: {} nodes, relaxation time {:.4f}, time step {:.4g} s",
@@ -177,15 +192,8 @@ class LevelSolver {
 void take(FlowSolution& solution, const SteadyLattice& solved) {
   solution.cells = solved.nodes();
   solution.wall = solved.wall();
-  const int last = solved.layers() - 1;
-  const double outflow = solved.layer(last).flowRate;
-  solution.massImbalance = std::abs(outflow / solved.inflow() - 1.0);
-  // From the middle of the first and last layers to the planes of the ends, half a spacing further out
-  const auto atEnd = [&](int end, int inner) {
-    const double p = solved.layer(end).pressure;
-    return last > 0 ? p + 0.5 * (p - solved.layer(inner).pressure) : p;
-  };
-  solution.pressureDrop = atEnd(0, std::min(1, last)) - atEnd(last, std::max(0, last - 1));
+  solution.massImbalance = std::abs(solved.outflow() / solved.inflow() - 1.0);
+  solution.pressureDrop = solved.pressureDrop();
 }
 
 /// Throws LatticeFailed where too much mass is lost, and remarks on what is not as it should be.
@@ -218,7 +226,7 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
   std::string narrow;
   try {
     requireFlow(conditions);
-    requireLumen(lumen);
+    requireLatticeLumen(lumen);
     narrow = narrownessRemark(lumen, {settings_.dx, "spacings", fewestWithoutRemark,
                                       "a finer scene.fidelity or a smaller lbm.dx resolves it"});
     FlowSolution solution;

@@ -16,7 +16,6 @@ namespace {
 
 LatticeFrame frameOf(const TriSurface& lumen, double spacing, double mostNodes) {
   const LumenEnd inlet = lumenEnd(lumen, SurfaceRegion::inlet);
-  const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
   Vec3 low = lumen.vertices[lumen.triangles.front()[0]], high = low;
   for (const auto& t : lumen.triangles)
     for (const auto v : t) {
@@ -30,14 +29,23 @@ LatticeFrame frameOf(const TriSurface& lumen, double spacing, double mostNodes) 
         "{:.4g} um, more than {:.2g}: choose a larger dx in [lbm], or check the lumen's length unit",
         1e3 * (high - low).x(), 1e3 * (high - low).y(), 1e3 * (high - low).z(), estimate, 1e6 * spacing,
         mostNodes));
-  const double layers = std::max(1.0, std::round(length / spacing));
-  const double dx = length / layers;
+  LatticeFrame frame;
+  frame.alongZ = liesAlongZ(lumen);
+  double dx = spacing, layers = 0.0;
+  if (frame.alongZ) {
+    const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
+    layers = std::max(1.0, std::round(length / spacing));
+    dx = length / layers;
+  } else {
+    frame.inletLayer = static_cast<int>(std::ceil((inlet.z - low.z()) / dx + 0.5));
+    layers = frame.inletLayer + std::ceil((high.z() - inlet.z) / dx + 0.5);
+  }
   // A node on the inlet's centre line
   const auto before = [&](double centre, double lowest) { return std::ceil((centre - lowest) / dx); };
   const double x = before(inlet.centre.x(), low.x()), y = before(inlet.centre.y(), low.y());
-  LatticeFrame frame;
   frame.dx = dx;
-  frame.origin = Vec3(inlet.centre.x() - x * dx, inlet.centre.y() - y * dx, inlet.z + 0.5 * dx);
+  frame.origin =
+      Vec3(inlet.centre.x() - x * dx, inlet.centre.y() - y * dx, inlet.z + (0.5 - frame.inletLayer) * dx);
   frame.size = {static_cast<int>(x + before(high.x(), inlet.centre.x())) + 1,
                 static_cast<int>(y + before(high.y(), inlet.centre.y())) + 1, static_cast<int>(layers)};
   return frame;
@@ -70,8 +78,27 @@ std::vector<SurfaceLink> linksOf(const LatticeInterior& interior, const ColumnLa
 
 }  // namespace
 
+bool LumenLattice::isFluid(const d3q19::Step& node) const {
+  // Runs are sorted by x, y, z
+  const auto after = std::ranges::upper_bound(layout.runs(), node, {}, [](const NodeRun& run) {
+    return d3q19::Step{run.x, run.y, run.z};
+  });
+  if (after == layout.runs().begin()) return false;
+  const NodeRun& run = *(after - 1);
+  return run.x == node[0] && run.y == node[1] && node[2] < run.z + static_cast<int>(run.count);
+}
+
+void requireLatticeLumen(const TriSurface& lumen) {
+  requireLumenWithPlanarEnds(lumen);
+  if (liesAlongZ(lumen)) return;
+  const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
+  if (!(inlet.normal.z() < -1.0 + 1e-9))
+    throw std::invalid_argument(
+        "the inlet of the lumen surface must be a plane of constant z that the flow enters along z");
+}
+
 LumenLattice makeLumenLattice(const TriSurface& lumen, double spacing, double mostNodes) {
-  requireLumen(lumen);
+  requireLatticeLumen(lumen);
   if (!(spacing > 0.0) || !std::isfinite(spacing))
     throw std::invalid_argument(fmt::format("the spacing dx of the lattice is {}", spacing));
   const LatticeFrame frame = frameOf(lumen, spacing, mostNodes);

@@ -14,6 +14,8 @@ struct LatticeFrame {
   Vec3 origin;         ///< of node (0, 0, 0) [m]
   double dx;           ///< spacing [m]
   d3q19::Step size{};  ///< nodes along x, y, z
+  int inletLayer = 0;  ///< z of the first nodes behind the inlet
+  bool alongZ = true;  ///< all of the lumen lies between the planes of its ends, which are layers
   Vec3 position(const d3q19::Step& n) const { return origin + dx * Vec3(n[0], n[1], n[2]); }
 };
 
@@ -33,13 +35,21 @@ struct LumenLattice {
   LatticeFrame frame;
   ColumnLayout layout;
   std::vector<SurfaceLink> links;  ///< sorted by direction, then node
+
+  bool isFluid(const d3q19::Step& node) const;
 };
 
-/// Puts a lattice of about `spacing` [m] into a closed lumen. The spacing is changed so that a whole number
-/// of nodes fits between the planes of the ends, which then lie half a link beyond the first and last
-/// nodes. Fluid are the nodes inside the surface that are connected with inlet and outlet; wall distances are
-/// exact. Throws std::invalid_argument where the surface is not a lumen (requireLumen), too large for the
-/// spacing
+/// Throws std::invalid_argument unless the surface is a sound lumen that a lattice can be put into: along z,
+/// or with an inlet that lies so.
+void requireLatticeLumen(const TriSurface& lumen);
+
+/// Puts a lattice of about `spacing` [m] into a closed lumen whose inlet is a plane of constant z that the
+/// flow enters along z. Where the lumen lies along z (liesAlongZ), the spacing is changed so that a whole
+/// number of nodes fits between the planes of the ends, which then lie half a link beyond the first and last
+/// nodes. In a bent one the inlet lies half a link before the layer `inletLayer`, the outlet as it may. Fluid
+/// are the nodes inside the surface that are connected with inlet and outlet; wall distances are exact.
+/// Throws std::invalid_argument where the surface is not a lumen (requireLumen, requireLumenWithPlanarEnds),
+/// too large for the spacing
 /// (`mostNodes`), or where no connected nodes join inlet and outlet; the message says which setting to
 /// change.
 LumenLattice makeLumenLattice(const TriSurface& lumen, double spacing, double mostNodes = 1e8);

@@ -108,7 +108,7 @@ void RunLinks<Real>::arrive(std::size_t run, const Slots<Real>& arriving) const 
 
 template <class Real>
 void RunLinks<Real>::releaseSound() {
-  if (expectedOutflow_ < 0.0) return;
+  if (expectedOutflow_ < 0.0 || outletNodes_ == 0) return;
   double outflow = 0.0;
   for (const End& end : ends_)
     if (end.outlet) outflow += end.velocity;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bridge/flow/LumenShape.h"
 #include "bridge/flow/lbm/DevelopedInlet.h"
+#include "bridge/flow/lbm/InletLayer.h"
 #include "bridge/flow/lbm/SteadyState.h"
 
 namespace restenosis {
@@ -23,9 +25,9 @@ constexpr double checksPerPassage = 20.0;
 }  // namespace
 
 SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions,
-                             const LbmSettings& settings, double dx)
+                             const LbmSettings& settings, const FlowEstimate& estimate, double dx)
     : settings_(settings),
-      estimate_(lumen, conditions),
+      estimate_(estimate),
       lattice_(makeLumenLattice(lumen, dx, settings.maximumNodes)),
       units_(latticeUnits(lattice_.frame.dx, estimate_, conditions, settings.latticeVelocity)),
       stress_(lumen, lattice_, settings.stressRule(),
@@ -34,6 +36,10 @@ SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& cond
   relaxation_.magic = settings.magic;
   relaxation_.single = settings.singleRelaxation();
   if (conditions.drive == FlowConditions::Drive::flowRate) givenFlow_ = conditions.flowRate;
+  const InletLayer inlet(lattice_, lumen.region);
+  for (int x = 0; x < lattice_.frame.size[0]; ++x)
+    for (int y = 0; y < lattice_.frame.size[1]; ++y)
+      if (inlet.contains(x, y)) inletNodes_.push_back({x, y, inlet.layer()});
   LatticeBoundary surface = boundary(lumen, conditions);
   if (settings.singlePrecision())
     flow_ = std::make_unique<LatticeFlow<float>>(lattice_.layout, std::move(surface), relaxation_);
@@ -44,11 +50,13 @@ SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& cond
 LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowConditions& conditions) const {
   const WallRule rule = settings_.wallRule();
   LatticeEnds ends;
-  const LumenEnd inlet = lumenEnd(lumen, SurfaceRegion::inlet);
+  const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
+  const double gradient = 8.0 * std::numbers::pi * conditions.dynamicViscosity() * estimate_.flowRate() /
+                          (outlet.area * outlet.area);
+  ends.outletGradient = -3.0 * gradient * units_.dx / units_.pressure() * outlet.normal;
   if (conditions.drive == FlowConditions::Drive::pressureGradient) {
-    const double length = lumenEnd(lumen, SurfaceRegion::outlet).z - inlet.z;
     ends.inlet = LatticeEnds::Inlet::pressure;
-    ends.inletDensity = 3.0 * conditions.pressureGradient * length / units_.pressure();
+    ends.inletDensity = 3.0 * conditions.pressureGradient * estimate_.length() / units_.pressure();
     return makeBoundary(lattice_, lumen.region, rule, ends);
   }
   const double flowRate = conditions.flowRate / units_.flowRate();
@@ -56,6 +64,7 @@ LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowCondi
   ends.source = [&](const d3q19::Step& node, int direction) { return developed.source(node, direction); };
   LatticeBoundary result = makeBoundary(lattice_, lumen.region, rule, ends);
   result.expectedOutflow = flowRate;
+  if (!lattice_.frame.alongZ) result.outletArea = outlet.area / (units_.dx * units_.dx);
   return result;
 }
 
@@ -82,14 +91,16 @@ void SteadyLattice::start(const std::function<FlowPoint(const Vec3&)>& flow) {
 
 std::int64_t SteadyLattice::checkInterval() const {
   const double mean = 0.5 * estimate_.peakVelocity() / units_.velocity();
-  const double across = std::sqrt(static_cast<double>(nodes()) / layers());
-  const double passage = std::max(static_cast<double>(layers()), across) / mean;
+  const double length =
+      lattice_.frame.alongZ ? static_cast<double>(layers()) : estimate_.length() / units_.dx;
+  const double across = std::sqrt(static_cast<double>(nodes()) / length);
+  const double passage = std::max(length, across) / mean;
   const double diffusion = 0.75 * across * across / (relaxation_.tau - 0.5);  // radius squared over viscosity
   return std::max<std::int64_t>(10, 2 * std::llround(0.5 * std::min(passage, diffusion) / checksPerPassage));
 }
 
 void SteadyLattice::diverged() const {
-  throw LatticeFailed(
+  throw LatticeDiverged(
       fmt::format("the lattice flow diverged after {} steps, with the relaxation time {:.4f} and {:.3g} "
                   "spacings a step at most: "
                   "choose a smaller dx in [lbm] (it is {:.4g} um), {}; where the lumen is rough, wall = "
@@ -137,18 +148,51 @@ std::vector<WallFace> SteadyLattice::wall() const {
   return stress_.wall(stress_.nodeValues(*flow_), units_.pressure());
 }
 
-SteadyLattice::Layer SteadyLattice::layer(int z) const {
-  double flow = 0.0, pressure = 0.0, nodes = 0.0;
-  for (const NodeRun& run : lattice_.layout.runs()) {
-    if (z < run.z || z >= run.z + static_cast<int>(run.count)) continue;
-    const NodeState s = flow_->state(run.first + static_cast<std::uint32_t>(z - run.z));
+SteadyLattice::Layer SteadyLattice::sumOf(const std::vector<std::uint32_t>& places) const {
+  double flow = 0.0, pressure = 0.0;
+  for (const std::uint32_t place : places) {
+    const NodeState s = flow_->state(place);
     flow += s.velocity.z();
     pressure += s.density;
-    nodes += 1.0;
   }
+  const auto nodes = static_cast<double>(places.size());
   return {flow * units_.flowRate(), pressure / (3.0 * nodes) * units_.pressure()};
 }
 
-double SteadyLattice::inflow() const { return givenFlow_ ? *givenFlow_ : layer(0).flowRate; }
+SteadyLattice::Layer SteadyLattice::layer(int z) const {
+  std::vector<std::uint32_t> places;
+  for (const NodeRun& run : lattice_.layout.runs())
+    if (z >= run.z && z < run.z + static_cast<int>(run.count))
+      places.push_back(run.first + static_cast<std::uint32_t>(z - run.z));
+  return sumOf(places);
+}
+
+std::vector<std::uint32_t> SteadyLattice::behindInlet(int further) const {
+  std::vector<std::uint32_t> places;
+  for (const d3q19::Step& node : inletNodes_)
+    if (lattice_.isFluid({node[0], node[1], node[2] + further}))
+      places.push_back(lattice_.layout.place(node[0], node[1], node[2] + further));
+  return places;
+}
+
+double SteadyLattice::inflow() const { return givenFlow_ ? *givenFlow_ : sumOf(behindInlet(0)).flowRate; }
+
+double SteadyLattice::outflow() const {
+  if (lattice_.frame.alongZ) return layer(layers() - 1).flowRate;
+  return flow_->openOutflow() * units_.flowRate();
+}
+
+double SteadyLattice::pressureDrop() const {
+  // From the middle of the first and last layers to the planes of the ends, half a spacing further out
+  const auto atPlane = [](double end, double inner) { return end + 0.5 * (end - inner); };
+  if (!lattice_.frame.alongZ) {
+    const auto inner = behindInlet(1);
+    const double first = sumOf(behindInlet(0)).pressure;
+    return inner.empty() ? first : atPlane(first, sumOf(inner).pressure);
+  }
+  const int last = layers() - 1;
+  return atPlane(layer(0).pressure, layer(std::min(1, last)).pressure) -
+         atPlane(layer(last).pressure, layer(std::max(0, last - 1)).pressure);
+}
 
 }  // namespace restenosis

@@ -23,13 +23,16 @@ struct FlowPoint {
 struct LatticeFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+struct LatticeDiverged : LatticeFailed {
+  using LatticeFailed::LatticeFailed;
+};
 
 /// One lattice in a lumen, solved to its steady state.
 class SteadyLattice {
  public:
-  /// Throws std::invalid_argument where no lattice can be made.
+  /// `estimate` must outlive this. Throws std::invalid_argument where no lattice can be made.
   SteadyLattice(const TriSurface& lumen, const FlowConditions& conditions, const LbmSettings& settings,
-                double dx);
+                const FlowEstimate& estimate, double dx);
 
   /// Starts from this flow.
   void start(const std::function<FlowPoint(const Vec3&)>& flow);
@@ -48,23 +51,30 @@ class SteadyLattice {
 
   std::vector<WallFace> wall() const;
   FlowPoint at(std::uint32_t place) const;
-  /// Volume per time through a layer of nodes [m^3/s], and the mean pressure in it [Pa].
+  /// Volume per time, by the drive or as found, and what leaves [m^3/s].
+  double inflow() const;
+  double outflow() const;
+  /// From the inlet to the outlet [Pa].
+  double pressureDrop() const;
+
+ private:
+  /// Volume per time through nodes of a layer [m^3/s], and the mean pressure in them [Pa].
   struct Layer {
     double flowRate, pressure;
   };
   Layer layer(int z) const;
+  Layer sumOf(const std::vector<std::uint32_t>& places) const;
   int layers() const { return lattice_.frame.size[2]; }
-  /// What flows in, by the drive or as found [m^3/s].
-  double inflow() const;
-
- private:
+  /// The nodes of the inlet's cross-section, so many layers further in where these are fluid.
+  std::vector<std::uint32_t> behindInlet(int further) const;
   LatticeBoundary boundary(const TriSurface& lumen, const FlowConditions& conditions) const;
   std::int64_t checkInterval() const;
   [[noreturn]] void diverged() const;
 
   LbmSettings settings_;
-  FlowEstimate estimate_;
+  const FlowEstimate& estimate_;
   LumenLattice lattice_;
+  std::vector<d3q19::Step> inletNodes_;  ///< of InletLayer
   LatticeUnits units_;
   LatticeRelaxation relaxation_;
   WallStress stress_;

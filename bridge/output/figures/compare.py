@@ -44,6 +44,8 @@ def read(folder):
 def draw_maps(folder, path):
     """The lumen unrolled: either backend's stress, and the difference over the reference's mean on the wall."""
     numbers, (first, second), surface = read(folder)
+    if numbers["bent"]:
+        raise results.NothingToDraw("a bent lumen is not unrolled")
     style.apply()
     used = surface["vertices"][np.unique(surface["triangles"])]
     start, length = used[:, 2].min(), np.ptp(used[:, 2])
