@@ -9,6 +9,7 @@
 #include "bridge/flow/foam/FoamRun.h"
 #include "bridge/flow/foam/FoamTemplate.h"
 #include "bridge/flow/foam/LumenStl.h"
+#include "tests/support/EnvironmentVariable.h"
 #include "tests/support/ExpectSays.h"
 #include "tests/support/FlowSupport.h"
 #include "tests/support/OpenFoamPresent.h"
@@ -165,6 +166,51 @@ TEST(FoamBackendFaults, unconvergedSolutionIsNoResult) {
   EXPECT_SAYS(message, "case/firstAttempt/log.simpleFoam");
   EXPECT_TRUE(fs::exists(log));
   EXPECT_TRUE(fs::exists(scratch.path() / "case/firstAttempt/log.simpleFoam"));
+}
+
+/// A mesher that leaves a bad face as often as it is told to, and then is the real one.
+class BadMesher {
+ public:
+  explicit BadMesher(const fs::path& folder, int badMeshes)
+      : path_(folder.string() + ":" + std::getenv("PATH")) {
+    fs::create_directories(folder);
+    std::ofstream(folder / "left") << badMeshes;
+    std::ofstream(folder / "snappyHexMesh")
+        << "#!/bin/sh\nleft=$(cat '" << (folder / "left").string() << "')\n[ \"$left\" -gt 0 ] || exec "
+        << "/usr/bin/snappyHexMesh \"$@\"\necho $((left - 1)) > '" << (folder / "left").string()
+        << "'\necho 'Finished meshing with 1 illegal faces (concave, zero area or negative cell pyramid "
+           "volume)'\n"
+        << "echo End\n";
+    fs::permissions(folder / "snappyHexMesh", fs::perms::owner_all);
+    variable_.emplace("PATH", path_.c_str());
+  }
+
+ private:
+  std::string path_;
+  std::optional<EnvironmentVariable> variable_;
+};
+
+TEST(FoamBackendFaults, aMeshThatFailsTwiceIsMadeOfOtherCells) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  const BadMesher mesher(scratch / "bin", 2);
+  const auto solution =
+      FoamBackend(draft()).solve(tube(vesselRadius, vesselLength), vesselConditions(), scratch / "case");
+  ASSERT_EQ(solution.remarks.size(), 1u);
+  for (const char* words : {"third attempt", "1 illegal faces", "firstAttempt/log.snappyHexMesh",
+                            "secondAttempt/log.snappyHexMesh"})
+    EXPECT_SAYS(solution.remarks[0], words);
+  EXPECT_TRUE(fs::exists(scratch / "case/firstAttempt/log.snappyHexMesh"));
+  EXPECT_TRUE(fs::exists(scratch / "case/secondAttempt/log.snappyHexMesh"));
+}
+
+TEST(FoamBackendFaults, threeBadMeshesAreAFailure) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  const BadMesher mesher(scratch / "bin", 3);
+  const auto message = failure(tube(vesselRadius, vesselLength), scratch / "case");
+  for (const char* words : {"case/log.snappyHexMesh", "the second attempt", "a first attempt"})
+    EXPECT_SAYS(message, words);
 }
 
 TEST(FoamBackendFaults, missingProgramNamesItsPackage) {

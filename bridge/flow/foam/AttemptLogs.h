@@ -7,9 +7,10 @@
 
 namespace restenosis {
 
-/// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, and the first
-/// with a new one.
-inline constexpr std::string_view movedMeshLogs = "movedMesh", firstAttemptLogs = "firstAttempt";
+/// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, and the first and
+/// the second with a new one.
+inline constexpr std::string_view movedMeshLogs = "movedMesh", firstAttemptLogs = "firstAttempt",
+                                  secondAttemptLogs = "secondAttempt";
 
 /// What a case's folder holds of the attempts to solve it so far, by the file's place in it: the logs of the
 /// last attempt, which are to be in the folder `into` from now on, and those kept of others.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 #include "bridge/flow/FlowBackendNames.h"
@@ -29,11 +30,32 @@ constexpr double rimErrorRemark = 0.02;
 /// Fewest cells at the wall across the lumen without a remark (docs/model/flow.md).
 constexpr double fewestWithoutRemark = 4.0;
 
+/// Whether the mesh was what failed: with other cells it may not.
+bool isOfMesh(const FoamStepFailed& failed) {
+  const std::string log = failed.log.filename().string();
+  return log == "log.snappyHexMesh" || log == "log.checkMesh";
+}
+
 std::string narrowness(const TriSurface& lumen, const FoamSettings& settings) {
   return narrownessRemark(
       lumen, {settings.wallCell(), "cells at the wall", fewestWithoutRemark,
               "a finer scene.fidelity, a higher foam.wallLevel or a smaller foam.cellSize resolves it"});
 }
+
+}  // namespace
+
+/// What an attempt changes after one that failed.
+struct FoamBackend::FurtherAttempt {
+  const char *name, *means;
+  double cells;  ///< their size over that of the settings
+  std::string_view keepLogsIn;
+};
+
+namespace {
+
+/// A single bad face of a mesh depends on where the cells happen to lie (assumed: cells smaller by that
+/// much).
+constexpr double otherCells = 0.93;
 
 }  // namespace
 
@@ -96,21 +118,43 @@ FlowSolution FoamBackend::solveWithNewMesh(const fs::path& folder, const TriSurf
   try {
     return attempt(folder, lumen, shape, conditions, how);
   } catch (const FoamStepFailed& first) {
-    try {
-      FlowSolution solution = attempt(folder, lumen, shape, conditions,
-                                      {.effort = Effort::robust, .keepLogsIn = firstAttemptLogs});
-      solution.remarks.push_back(fmt::format(
-          "solved at the second attempt, with thorough meshing and stronger relaxation; the first: {}",
-          first.withLogIn(folder / firstAttemptLogs)));
-      return solution;
-    } catch (const WriteFailed& second) {  // what was wanting may have ended the first one
-      throw WriteFailed(
-          fmt::format("{}; before that: {}", second.what(), first.withLogIn(folder / firstAttemptLogs)));
-    } catch (const FlowFailed& second) {
-      throw FlowFailed(fmt::format("{}; a first attempt with the usual settings had failed too: {}",
-                                   second.what(), first.withLogIn(folder / firstAttemptLogs)),
-                       second.log.empty() ? folder / firstAttemptLogs / first.log.filename() : second.log);
-    }
+    static constexpr std::array<FurtherAttempt, 2> furtherAttempts{
+        {{"second", "thorough meshing and stronger relaxation", 1.0, firstAttemptLogs},
+         {"third", "the same and other cells", otherCells, secondAttemptLogs}}};
+    return solveOnceMore(folder, lumen, conditions, furtherAttempts,
+                         fmt::format("a first attempt with the usual settings had failed too: {}",
+                                     first.withLogIn(folder / firstAttemptLogs)),
+                         folder / firstAttemptLogs / first.log.filename());
+  }
+}
+
+FlowSolution FoamBackend::solveOnceMore(const fs::path& folder, const TriSurface& lumen,
+                                        const FlowConditions& conditions,
+                                        std::span<const FurtherAttempt> attempts, const std::string& before,
+                                        const fs::path& logBefore) const {
+  const FurtherAttempt& now = attempts.front();
+  FoamSettings settings = settings_;
+  settings.cellSize *= now.cells;
+  try {
+    FlowSolution solution =
+        attempt(folder, lumen, measureLumen(lumen, settings), conditions,
+                {.effort = Effort::robust, .cells = now.cells, .keepLogsIn = now.keepLogsIn});
+    solution.remarks.push_back(
+        fmt::format("solved at the {} attempt, with {}; {}", now.name, now.means, before));
+    return solution;
+  } catch (const WriteFailed& failed) {  // what was wanting may have ended the one before
+    throw WriteFailed(fmt::format("{}; {}", failed.what(), before));
+  } catch (const FoamStepFailed& failed) {
+    if (attempts.size() == 1 || !isOfMesh(failed))
+      throw FlowFailed(fmt::format("{}; {}", failed.what(), before), failed.log);
+    const fs::path kept = folder / attempts[1].keepLogsIn;
+    return solveOnceMore(folder, lumen, conditions, attempts.subspan(1),
+                         fmt::format("the {} attempt, with {}, had failed: {}; {}", now.name, now.means,
+                                     failed.withLogIn(kept), before),
+                         kept / failed.log.filename());
+  } catch (const FlowFailed& failed) {
+    throw FlowFailed(fmt::format("{}; {}", failed.what(), before),
+                     failed.log.empty() ? logBefore : failed.log);
   }
 }
 
@@ -139,10 +183,12 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));
-  writeLumenParameters(parameters, lumen, conditions, settings_, how.effort, execution_.ranks);
+  FoamSettings settings = settings_;
+  settings.cellSize *= how.cells;
+  writeLumenParameters(parameters, lumen, conditions, settings, how.effort, execution_.ranks);
   atomicWrite(file, parameters.text());
   const fs::path surfaces = folder / "constant/triSurface";
-  writeLumenStl(surface, lumen.ends, overshootCells * settings_.cellSize, surfaces / "lumen.stl");
+  writeLumenStl(surface, lumen.ends, overshootCells * settings.cellSize, surfaces / "lumen.stl");
   if (lumen.ends != LumenEnds::cut) writeRims(surface, lumen.ends, surfaces / "rims.obj");
   atomicWrite(folder / "case.foam", "");
 }
@@ -152,7 +198,9 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
   const bool moved = how.mesh == Attempt::Mesh::moved;
   try {
     prepare(folder, surface, lumen, conditions, how);
-    FoamRun run(folder, lumen, conditions, settings_, execution_);
+    FoamSettings settings = settings_;
+    settings.cellSize *= how.cells;
+    FoamRun run(folder, lumen, conditions, settings, execution_);
     std::optional<FoamStart> start;
     if (moved) {
       auto centres = run.morph(how.former->solution.mesh, how.former->folder, surface);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/flow/foam/FoamExecution.h"
 #include "bridge/flow/foam/FoamSettings.h"
@@ -18,8 +20,9 @@ namespace restenosis {
 /// Nothing is believed that was not checked: the surface before it is meshed; the mesher's own verdict, the
 /// mesh's volume, patches and quality; convergence, flow rates, pressure drop and stresses. After a
 /// violated check of the mesh or the solution, a second attempt is made with more careful meshing and
-/// stronger relaxation, and recorded in FlowSolution::remarks; the logs of the first stay in `firstAttempt`,
-/// those of a moved mesh that was given up in `movedMesh`.
+/// stronger relaxation, and, where the mesh fails once more, a third with other cells; FlowSolution::remarks
+/// says so. The logs of the first stay in `firstAttempt`, those of the second in `secondAttempt`, those of a
+/// moved mesh that was given up in `movedMesh`.
 /// Then FlowFailed names the step, the reason and the log.
 class FoamBackend : public FlowBackend {
  public:
@@ -53,15 +56,22 @@ class FoamBackend : public FlowBackend {
     Mesh mesh = Mesh::made;
     Effort effort = Effort::normal;
     const Former* former = nullptr;  ///< null: from rest. Not null for Mesh::moved
+    double cells = 1.0;              ///< size of the cells over that of the settings
     /// Folder in the case for the logs of the attempt before; empty for none.
     std::string_view keepLogsIn = {};
   };
   FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
                        const FlowConditions& conditions, const Attempt& how) const;
-  /// Up to two attempts with a new mesh; `how` is for the first.
+  struct FurtherAttempt;
+  /// Up to three attempts with a new mesh; `how` is for the first.
   FlowSolution solveWithNewMesh(const std::filesystem::path& folder, const TriSurface& surface,
                                 const LumenCase& lumen, const FlowConditions& conditions,
                                 const Attempt& how) const;
+  /// The first of these attempts and, where its mesh fails, the others. `before`: what is said of those
+  /// before.
+  FlowSolution solveOnceMore(const std::filesystem::path& folder, const TriSurface& lumen,
+                             const FlowConditions& conditions, std::span<const FurtherAttempt> attempts,
+                             const std::string& before, const std::filesystem::path& logBefore) const;
   /// A fresh case folder for one attempt; the logs of an earlier one are kept.
   void prepare(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
                const FlowConditions& conditions, const Attempt& how) const;
