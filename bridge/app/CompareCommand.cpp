@@ -19,6 +19,7 @@
 #include "bridge/app/StopRequest.h"
 #include "bridge/app/ThreadCount.h"
 #include "bridge/compare/ComparisonWriter.h"
+#include "bridge/compare/ProbeTable.h"
 #include "bridge/coupling/Run.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/backends/FlowBackends.h"
@@ -35,7 +36,7 @@ namespace fs = std::filesystem;
 
 struct CompareArguments {
   SceneArguments scene;
-  std::string folder;
+  std::string folder, probes;
   std::optional<double> day;
   int threads = 0;
   int ranks = 1;
@@ -60,7 +61,7 @@ void print(const FlowComparison& c, const SolvedFlow& reference, const SolvedFlo
                              100 * d.relativeL2, 100 * d.relativeP95);
   };
   for (const ComparedPart part : comparedParts) row(partName(part), c.parts[static_cast<std::size_t>(part)]);
-  if (c.hasVelocities) {
+  if (c.hasVelocities && !c.lines.axis.empty()) {
     std::cout << fmt::format(
         "\nvelocity along the axis: {:.2f} % in L2; on {} planes:", 100 * c.axis.relativeL2, c.planes.size());
     for (const FieldDifference& d : c.planes) std::cout << fmt::format(" {:.2f}", 100 * d.relativeL2);
@@ -93,7 +94,7 @@ void removeFormerComparison(const fs::path& folder) {
 
 /// `given`: the lumen, where no run has to make it.
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
-            std::optional<ComparedLumen> given) {
+            std::optional<ComparedLumen> given, const std::vector<Vec3>& probes) {
   // Said before a wall is packed and deployed for it
   if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
     throw FlowFailed(missing, {});
@@ -110,7 +111,8 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   const ComparedLumen lumen =
       given ? std::move(*given) : deployedLumen(scene, folder / "deployment", threads, stopRequested);
   // Sections of a bent lumen are not planes of constant z
-  const ProbeLines lines = lumen.bent ? ProbeLines() : probeLines(lumen.surface);
+  ProbeLines lines = lumen.bent ? ProbeLines() : probeLines(lumen.surface);
+  for (const Vec3& probe : probes) lines.others.push_back(lumen.alongZ * probe);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
   const LbmSettings lbm = scene.lbmSettings();
   const FlowBackendOptions options{.fidelity = scene.scene.fidelity,
@@ -184,7 +186,8 @@ int tryCompare(const CompareArguments& arguments) {
         } else if (scene->hasLoadedLumen()) {
           given = loadedLumen(*scene);
         }
-        return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(given));
+        const auto probes = arguments.probes.empty() ? std::vector<Vec3>() : readProbes(arguments.probes);
+        return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(given), probes);
       },
       {.interrupted = "interrupted"});
 }
@@ -211,6 +214,8 @@ void addCompareCommand(CLI::App& app, int& status) {
         const bool finite = CLI::detail::lexical_cast(text, day) && std::isfinite(day);
         return finite ? std::string() : fmt::format("{} is not a day", text);
       });
+  command->add_option("--probes", arguments->probes,
+                      "table (CSV) of points, x_mm,y_mm,z_mm, whose velocities are written too");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(countUpTo(mostThreads));
   command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")

@@ -8,6 +8,7 @@
 
 #include "bridge/app/ComparedLumen.h"
 #include "bridge/app/ExitStatus.h"
+#include "bridge/compare/ProbeTable.h"
 #include "bridge/coupling/Run.h"
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/output/ResultsFolder.h"
@@ -21,6 +22,9 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
   } catch (const LumenRefused& error) {
+    std::cerr << error.what() << '\n';
+    return ExitStatus::wrongInput;
+  } catch (const ProbeTableError& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
   } catch (const CheckpointRefused& error) {

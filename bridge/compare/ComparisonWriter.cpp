@@ -96,7 +96,7 @@ void writeComparisonJson(const std::filesystem::path& file, const ComparedCase& 
     if (part != ComparedPart::strut)
       json["wss"][std::string(partName(part))] = withArea(c.parts[static_cast<std::size_t>(part)]);
   json["wss"]["unknownFaces"] = c.unknownFaces;
-  if (c.hasVelocities) {
+  if (c.hasVelocities && !c.lines.axis.empty()) {
     const DifferenceJson velocity(reference.backend, other.backend, "m_s");
     json["velocity"]["axis"] = velocity(c.axis);
     for (std::size_t i = 0; i < c.planes.size(); ++i) {
@@ -162,6 +162,7 @@ void writeComparedVelocities(const std::filesystem::path& file, const FlowCompar
   rows("axis", c.lines.axis);
   for (std::size_t i = 0; i < c.lines.planes.size(); ++i)
     rows(fmt::format("plane{}", i + 1), c.lines.planes[i].points);
+  rows("probe", c.lines.others);
   atomicWrite(file, text);
 }
 

@@ -23,10 +23,7 @@ SolvedFlow solveForComparison(FlowBackend& backend, const TriSurface& lumen, con
   flow.backend = backend.name();
   flow.solution = backend.solve(lumen, conditions, caseFolder);
   flow.seconds = std::chrono::duration<double>(Clock::now() - began).count();
-  std::vector<Vec3> points = lines.axis;
-  for (const auto& plane : lines.planes)
-    points.insert(points.end(), plane.points.begin(), plane.points.end());
-  flow.velocities = backend.velocities(points);
+  flow.velocities = backend.velocities(lines.points());
   return flow;
 }
 

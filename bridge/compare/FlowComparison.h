@@ -15,9 +15,8 @@ namespace restenosis {
 struct SolvedFlow {
   std::string backend;
   FlowSolution solution;
-  double seconds = 0.0;  ///< from the surface to the solution, by wall clock
-  std::vector<Vec3>
-      velocities;  ///< at the axis and then the planes of the probe lines [m/s]; empty: not known
+  double seconds = 0.0;          ///< from the surface to the solution, by wall clock
+  std::vector<Vec3> velocities;  ///< at ProbeLines::points [m/s]; empty: not known
 };
 
 /// Solves for this lumen and asks for the velocities. Throws FlowFailed.

@@ -61,6 +61,13 @@ bool wellInside(const Section& s, const Eigen::Vector2d& p, double clearance) {
 
 }  // namespace
 
+std::vector<Vec3> ProbeLines::points() const {
+  std::vector<Vec3> all = axis;
+  for (const Plane& plane : planes) all.insert(all.end(), plane.points.begin(), plane.points.end());
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
 ProbeLines probeLines(const TriSurface& lumen, const ProbeSettings& settings) {
   const double first = lumenEnd(lumen, SurfaceRegion::inlet).z,
                length = lumenEnd(lumen, SurfaceRegion::outlet).z - first;

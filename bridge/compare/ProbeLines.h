@@ -15,6 +15,10 @@ struct ProbeLines {
     double spacing;            ///< of the grid [m]
   };
   std::vector<Plane> planes;
+  std::vector<Vec3> others;  ///< that were asked for [m]
+
+  /// All of them, in this order.
+  std::vector<Vec3> points() const;
 };
 
 /// How many (assumed). Points nearer to the wall than `clearance` of the cross-section's radius are left out:

@@ -132,6 +132,33 @@ TEST_F(Compare, WhatComesOutLiesWhereTheLumenDoes) {
   EXPECT_NEAR(json["alongZ"]["rotation"][2][1], 2.0 / 3.0, 1e-3);
 }
 
+TEST_F(Compare, VelocitiesAreWrittenWhereTheyAreAskedFor) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  writeText(folder / "points.csv", "x_mm,y_mm,z_mm\n0,0,0.3\n0.45,0,0.3\n");
+  ASSERT_EXIT_STATUS(run({"compare", scene("straight", straightTube), "-o", "out", "--probes", "points.csv"}),
+                     0);
+  std::istringstream rows(readText(folder / "out/compareVelocity.csv"));
+  std::vector<double> foam, lattice;
+  for (std::string line; std::getline(rows, line);) {
+    if (!line.starts_with("probe,")) continue;
+    std::vector<double> numbers;
+    std::istringstream cells(line.substr(6));
+    for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::stod(cell));
+    ASSERT_EQ(numbers.size(), 9u);
+    foam.push_back(numbers[5]), lattice.push_back(numbers[8]);
+  }
+  ASSERT_EQ(foam.size(), 2u);
+  for (const auto& axial : {foam, lattice}) {
+    EXPECT_NEAR(axial[0], 2 * 0.133, 0.01);
+    EXPECT_NEAR(axial[1], 1.5 * 0.133, 0.01);
+  }
+  writeText(folder / "points.csv", "0,0,0.3\n");
+  const auto end = run({"compare", scene("straight", straightTube), "-o", "wrong", "--probes", "points.csv"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(end.err.find("points.csv:1"), std::string::npos) << end.err;
+  EXPECT_FALSE(exists("wrong"));
+}
+
 TEST_F(Compare, BothMethodsAgreeInABentLumen) {
   const SurfaceRegion open[] = {SurfaceRegion::wall};
   const auto motion = support::motionTo(Vec3(1, 2, 2), Vec3(1e-3, 0, 2e-3));
