@@ -49,9 +49,10 @@ void LumenExtraction::extract(LumenState& lumen) {
 }
 
 void LumenExtraction::extractField() {
-  const auto struts =
-      stent_ ? std::span<const StrutSegment>(stent_->segments) : std::span<const StrutSegment>();
-  field_ = LumenField::fromTissue(wall_.agents, struts, wall_.length, fieldSettings(scene_.coupling));
+  if (!struts_)
+    struts_.emplace(stent_ ? std::span<const StrutSegment>(stent_->segments)
+                           : std::span<const StrutSegment>());
+  field_ = LumenField::fromTissue(wall_.agents, *struts_, wall_.length, fieldSettings(scene_.coupling));
 }
 
 void LumenExtraction::release() {

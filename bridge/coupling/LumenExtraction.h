@@ -36,6 +36,7 @@ class LumenExtraction {
   const Wall& wall_;
   const std::optional<Stent>& stent_;
   PartTimer& timer_;
+  std::optional<StrutBand> struts_;    ///< where the stent stands after deployment
   std::optional<LumenField> field_;    ///< of tissue, until the surface is made
   std::optional<TriSurface> surface_;  ///< of the field, or loaded; made when it is asked for
 };

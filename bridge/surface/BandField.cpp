@@ -1,6 +1,8 @@
 #include "bridge/surface/BandField.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace restenosis {
@@ -161,6 +163,21 @@ double BandField::at(const Vec3& point, Vec3& gradient) const {
   gradient.y() = mix(v10 - v00, v11 - v01, c.fraction) / g.spacing;
   gradient.z() = (high - low) / g.spacingZ;
   return mix(low, high, c.fraction);
+}
+
+double BandField::evenRadius(int k) const {
+  const Place axis = placeOf((grid_.nx - 1) / 2, (grid_.ny - 1) / 2, k);
+  if (!axis.isEven()) return 0;
+  double radius = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < axis.layer.blocks.size(); ++b) {
+    if (axis.layer.isEven(b) && axis.layer.blocks[b].value == axis.evenValue()) continue;
+    const auto [i, j] = firstOf(b);
+    // The nearest point of a block to the axis; points beyond the grid belong to the blocks at its rim
+    const auto nearest = [](double low, double high) { return low > 0 ? low : high < 0 ? -high : 0.0; };
+    radius = std::min(
+        radius, std::hypot(nearest(grid_.x(i), grid_.x(i + cells)), nearest(grid_.y(j), grid_.y(j + cells))));
+  }
+  return radius;
 }
 
 double BandField::inPlane(double x, double y, int k) const {

@@ -37,6 +37,8 @@ class BandField {
   double at(const Vec3& point, Vec3& gradient) const;
   /// Bilinear value within the plane of nodes k.
   double inPlane(double x, double y, int k) const;
+  /// Distance from the axis below which `inPlane` of this plane is everywhere what it is on the axis [m].
+  double evenRadius(int k) const;
   /// Whether the field is the same everywhere in the block of a point.
   bool evenAround(const Vec3& point) const;
   /// How many values are kept.

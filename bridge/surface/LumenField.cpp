@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -41,6 +42,9 @@ Obstacles sortAgents(const AgentStore& agents) {
 /// is one, or the space outside of a bulging wall would be a lumen beside the lumen.
 void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double clip) {
   const LumenGrid& g = field.grid;
+  const double lowest = eel.lowest();
+  const double beyond = eel.empty() ? std::numeric_limits<double>::infinity()
+                                    : std::ranges::max(eel.values()) + clip + g.spacing;
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < g.nz; ++k)
     for (int j = 0; j < g.ny; ++j)
@@ -49,7 +53,9 @@ void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double 
         const double r = std::sqrt(g.x(i) * g.x(i) + g.y(j) * g.y(j));  // hypot would take most of the time
         double limit = outerRadius;
         // Inside of the wall its own agents say what is solid
-        if (v > 0 && eel.lowestNear(g.x(i), g.y(j), g.z(k)) - r < v)
+        if (v > 0 && r > beyond)
+          limit = 0;
+        else if (v > 0 && lowest - r < v && eel.lowestNear(g.x(i), g.y(j), g.z(k)) - r < v)
           limit = std::min(limit, eel.at({g.x(i), g.y(j), g.z(k)}));
         const double inside = std::max(limit - r, -clip);
         v = std::min(v, static_cast<float>(inside));
@@ -58,11 +64,11 @@ void wallOff(GridField& field, double outerRadius, const RadiusMap& eel, double 
 
 }  // namespace
 
-LumenField LumenField::fromDistances(GridField tissue, std::optional<BandField> strut, double jointWidth) {
+LumenField LumenField::fromDistances(GridField tissue, const BandField* strut, double jointWidth) {
   std::optional<Parts> parts;
   GridField& lumen = tissue;
   if (strut) {
-    parts = Parts{.tissue = BandField(tissue, *strut), .strut = std::move(*strut)};
+    parts = Parts{.tissue = BandField(tissue, *strut), .strut = *strut};
     uniteRounded(lumen, parts->strut, jointWidth);
   }
   const LumenTopology topology = keepLumen(lumen, parts ? &parts->strut : nullptr);
@@ -71,6 +77,12 @@ LumenField LumenField::fromDistances(GridField tissue, std::optional<BandField> 
 
 LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const StrutSegment> struts,
                                   double length, const LumenFieldSettings& settings) {
+  StrutBand band(struts);
+  return fromTissue(agents, band, length, settings);
+}
+
+LumenField LumenField::fromTissue(const AgentStore& agents, StrutBand& struts, double length,
+                                  const LumenFieldSettings& settings) {
   if (!(settings.smoothing >= 0 && settings.blurFraction >= 0 && settings.jointWidth >= 0))
     throw std::invalid_argument("smoothing, blur and joint of a lumen field must not be negative");
   Obstacles obstacles = sortAgents(agents);
@@ -86,12 +98,11 @@ LumenField LumenField::fromTissue(const AgentStore& agents, std::span<const Stru
     closeByBall(tissue, settings.smoothing, clip);
     blur(tissue, settings.blurFraction * settings.smoothing);
   }
-  std::optional<BandField> strut;
-  if (!struts.empty())
-    strut = strutBand(grid, struts, clip);
-  else if (!obstacles.strut.empty())
-    strut = sphereBand(grid, std::move(obstacles.strut), clip);
-  return fromDistances(std::move(tissue), std::move(strut), settings.jointWidth * h);
+  std::optional<BandField> spheres;
+  const BandField* strut = struts.on(grid, clip);
+  if (!strut && !obstacles.strut.empty())
+    strut = &spheres.emplace(sphereBand(grid, std::move(obstacles.strut), clip));
+  return fromDistances(std::move(tissue), strut, settings.jointWidth * h);
 }
 
 LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& distance, double length,
@@ -102,7 +113,7 @@ LumenField LumenField::fromFunction(const std::function<double(const Vec3&)>& di
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
         field.values[grid.index(i, j, k)] = static_cast<float>(distance(grid.node(i, j, k)));
-  return fromDistances(std::move(field), std::nullopt, 0.0);
+  return fromDistances(std::move(field), nullptr, 0.0);
 }
 
 bool LumenField::isStrut(const Vec3& point) const {

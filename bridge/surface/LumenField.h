@@ -8,6 +8,7 @@
 #include "bridge/surface/BandField.h"
 #include "bridge/surface/DistanceField.h"
 #include "bridge/surface/FieldTopology.h"
+#include "bridge/surface/StrutBand.h"
 #include "tissue/agents/AgentStore.h"
 
 namespace restenosis {
@@ -40,6 +41,9 @@ class LumenField {
   /// Throws std::invalid_argument if there is no tissue or settings are out of range.
   static LumenField fromTissue(const AgentStore& agents, std::span<const StrutSegment> struts, double length,
                                const LumenFieldSettings& settings = {});
+  /// The same, with struts that stand still from one time to the next.
+  static LumenField fromTissue(const AgentStore& agents, StrutBand& struts, double length,
+                               const LumenFieldSettings& settings);
   /// A lumen given as a signed distance function [m], positive inside, within `halfWidth` [m] of the axis.
   static LumenField fromFunction(const std::function<double(const Vec3&)>& distance, double length,
                                  double halfWidth, double resolution);
@@ -62,7 +66,7 @@ class LumenField {
   };
   LumenField(const GridField& lumen, std::optional<Parts> parts, const LumenTopology& topology)
       : lumen_(lumen), parts_(std::move(parts)), topology_(topology) {}
-  static LumenField fromDistances(GridField tissue, std::optional<BandField> strut, double jointWidth);
+  static LumenField fromDistances(GridField tissue, const BandField* strut, double jointWidth);
 
   BandField lumen_;
   std::optional<Parts> parts_;

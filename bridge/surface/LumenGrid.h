@@ -13,6 +13,7 @@ struct LumenGrid {
   /// A grid that reaches `halfWidth` [m] from the axis in x and y, with nodes `resolution` [m] apart (in z as
   /// near to it as the length allows). Throws std::invalid_argument unless all three are positive and finite.
   LumenGrid(double length, double halfWidth, double resolution);
+  bool operator==(const LumenGrid&) const = default;
 
   double length;   ///< of the vessel [m]
   double spacing;  ///< in x and y [m]

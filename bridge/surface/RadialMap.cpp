@@ -9,11 +9,13 @@
 namespace restenosis {
 namespace {
 
-/// First root of the field along a ray of direction (c, s) in plane k, or `limit` if there is none.
-double castRay(const BandField& field, int k, double c, double s, double limit) {
-  auto value = [&](double r) { return field.inPlane(r * c, r * s, k); };
+/// First root of the field along a ray of direction (c, s) in plane k, or `limit` if there is none. `even`:
+/// BandField::evenRadius.
+double castRay(const BandField& field, int k, double even, double c, double s, double limit) {
+  const double onAxis = field.inPlane(0, 0, k);
+  auto value = [&](double r) { return r < even ? onAxis : field.inPlane(r * c, r * s, k); };
   const double least = 0.5 * field.grid().spacing;
-  double before = 0, valueBefore = value(0);
+  double before = 0, valueBefore = onAxis;
   if (valueBefore <= 0) return 0;
   for (;;) {
     // A distance falls by no more than the way, its trilinear interpolation and rounded joints by less than
@@ -48,14 +50,19 @@ RadialMap::RadialMap(const LumenField& field, int angles) : angles_(angles) {
   if (angles < 3) throw std::invalid_argument("a radial map needs at least three angles");
   const LumenGrid& g = field.grid();
   const double limit = g.x(g.nx - 1);
+  std::vector<double> cosines, sines;
+  for (int a = 0; a < angles; ++a) cosines.push_back(std::cos(angle(a))), sines.push_back(std::sin(angle(a)));
   z_.resize(g.nz);
   radius_.resize(static_cast<std::size_t>(g.nz) * angles);
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < g.nz; ++k) {
     z_[k] = g.z(k);
+    // Less by what rounding can make of a point on its rim
+    const double even = (1 - 1e-9) * field.lumen().evenRadius(k);
     for (int a = 0; a < angles; ++a)
       radius_[static_cast<std::size_t>(k) * angles + a] =
-          castRay(field.lumen(), k, std::cos(angle(a)), std::sin(angle(a)), limit);
+          castRay(field.lumen(), k, even, cosines[static_cast<std::size_t>(a)],
+                  sines[static_cast<std::size_t>(a)], limit);
   }
 }
 

@@ -35,6 +35,22 @@ TEST(BandField, InterpolatesTrilinearFunctionsExactly) {
   EXPECT_NEAR(field.inPlane(0.1, -0.3, 2), f({0.1, -0.3, g.z(2)}), 1e-6);
 }
 
+TEST(BandField, IsThatOfTheAxisWithinTheEvenRadius) {
+  for (const LumenGrid& g : {LumenGrid(20, 20, 1), LumenGrid(20, 23, 1)}) {
+    const BandField field(
+        fieldOf(g, [](const Vec3& p) { return clippedDistance(p) - (p.z() > 15 && p.x() < -2); }));
+    for (int k = 0; k < g.nz; ++k) {
+      const double even = field.evenRadius(k), onAxis = field.inPlane(0, 0, k);
+      EXPECT_LT(even, 7.0) << "three within the cylinder's wall the distance is clipped no more";
+      for (double r = 0; r < even; r += 0.1)
+        for (double angle = 0; angle < 6.28; angle += 0.1)
+          ASSERT_EQ(field.inPlane(r * std::cos(angle), r * std::sin(angle), k), onAxis) << k << ' ' << r;
+    }
+  }
+  const LumenGrid small(4, 4, 1);
+  EXPECT_EQ(BandField(fieldOf(small, [](const Vec3& p) { return p.x(); })).evenRadius(0), 0);
+}
+
 TEST(BandField, HasTheValuesOfTheWholeFieldAtEveryNode) {
   // Sides that are a whole number of blocks, and others
   for (const LumenGrid& g : {LumenGrid(40, 20, 1), LumenGrid(21, 22, 1)}) {

@@ -11,7 +11,7 @@ namespace {
 using namespace support;
 
 TEST(LumenField, NeedsTissueAndSoundSettings) {
-  EXPECT_THROW(LumenField::fromTissue({}, {}, 1e-3), std::invalid_argument);
+  EXPECT_THROW(LumenField::fromTissue({}, std::span<const StrutSegment>(), 1e-3), std::invalid_argument);
   const AgentStore wall = sphereWall(100 * um, 100 * um, 15 * um);
   EXPECT_THROW(LumenField::fromTissue(wall, {}, 100 * um, {.smoothing = -1}), std::invalid_argument);
   EXPECT_THROW(LumenField::fromTissue(wall, {}, 100 * um, {.resolution = 0}), std::invalid_argument);
