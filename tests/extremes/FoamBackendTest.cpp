@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "bridge/flow/foam/CellEstimate.h"
 #include "bridge/flow/foam/FoamBackend.h"
 #include "bridge/flow/foam/FoamLog.h"
 #include "bridge/flow/foam/FoamRun.h"
@@ -211,6 +212,19 @@ TEST(FoamBackendFaults, threeBadMeshesAreAFailure) {
   const auto message = failure(tube(vesselRadius, vesselLength), scratch / "case");
   for (const char* words : {"case/log.snappyHexMesh", "the second attempt", "a first attempt"})
     EXPECT_SAYS(message, words);
+}
+
+TEST(FoamBackendFaults, noThirdMeshHasMoreCellsThanAreAllowed) {
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const TemporaryFolder scratch;
+  const BadMesher mesher(scratch / "bin", 2);
+  FoamSettings settings = draft();
+  const LumenCase shape = measureLumen(tube(vesselRadius, vesselLength), settings);
+  settings.maximumCells = 1.1 * expectedCells({shape.volume, shape.wallArea, shape.strutArea}, settings);
+  const auto message = failure(tube(vesselRadius, vesselLength), scratch / "case", settings);
+  for (const char* words : {"case/log.snappyHexMesh", "a first attempt"}) EXPECT_SAYS(message, words);
+  EXPECT_EQ(message.find("the second attempt"), std::string::npos) << "there is no third";
+  EXPECT_TRUE(fs::exists(scratch / "case/log.snappyHexMesh"));
 }
 
 TEST(FoamBackendFaults, missingProgramNamesItsPackage) {

@@ -36,6 +36,16 @@ bool isOfMesh(const FoamStepFailed& failed) {
   return log == "log.snappyHexMesh" || log == "log.checkMesh";
 }
 
+/// Whether so many cells are allowed.
+bool canBeMeshed(const TriSurface& lumen, const FoamSettings& settings) {
+  try {
+    measureLumen(lumen, settings);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 std::string narrowness(const TriSurface& lumen, const FoamSettings& settings) {
   return narrownessRemark(
       lumen, {settings.wallCell(), "cells at the wall", fewestWithoutRemark,
@@ -133,11 +143,9 @@ FlowSolution FoamBackend::solveOnceMore(const fs::path& folder, const TriSurface
                                         std::span<const FurtherAttempt> attempts, const std::string& before,
                                         const fs::path& logBefore) const {
   const FurtherAttempt& now = attempts.front();
-  FoamSettings settings = settings_;
-  settings.cellSize *= now.cells;
   try {
     FlowSolution solution =
-        attempt(folder, lumen, measureLumen(lumen, settings), conditions,
+        attempt(folder, lumen, measureLumen(lumen, settingsFor(now.cells)), conditions,
                 {.effort = Effort::robust, .cells = now.cells, .keepLogsIn = now.keepLogsIn});
     solution.remarks.push_back(
         fmt::format("solved at the {} attempt, with {}; {}", now.name, now.means, before));
@@ -145,7 +153,7 @@ FlowSolution FoamBackend::solveOnceMore(const fs::path& folder, const TriSurface
   } catch (const WriteFailed& failed) {  // what was wanting may have ended the one before
     throw WriteFailed(fmt::format("{}; {}", failed.what(), before));
   } catch (const FoamStepFailed& failed) {
-    if (attempts.size() == 1 || !isOfMesh(failed))
+    if (attempts.size() == 1 || !isOfMesh(failed) || !canBeMeshed(lumen, settingsFor(attempts[1].cells)))
       throw FlowFailed(fmt::format("{}; {}", failed.what(), before), failed.log);
     const fs::path kept = folder / attempts[1].keepLogsIn;
     return solveOnceMore(folder, lumen, conditions, attempts.subspan(1),
@@ -156,6 +164,12 @@ FlowSolution FoamBackend::solveOnceMore(const fs::path& folder, const TriSurface
     throw FlowFailed(fmt::format("{}; {}", failed.what(), before),
                      failed.log.empty() ? logBefore : failed.log);
   }
+}
+
+FoamSettings FoamBackend::settingsFor(double cells) const {
+  FoamSettings settings = settings_;
+  settings.cellSize *= cells;
+  return settings;
 }
 
 void FoamBackend::startFrom(const fs::path& formerCase) { former_ = fs::absolute(formerCase); }
@@ -183,8 +197,7 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
 
   const auto file = folder / "system/lumenParameters";
   DictionaryText parameters(foamLog::read(file));
-  FoamSettings settings = settings_;
-  settings.cellSize *= how.cells;
+  const FoamSettings settings = settingsFor(how.cells);
   writeLumenParameters(parameters, lumen, conditions, settings, how.effort, execution_.ranks);
   atomicWrite(file, parameters.text());
   const fs::path surfaces = folder / "constant/triSurface";
@@ -198,8 +211,7 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
   const bool moved = how.mesh == Attempt::Mesh::moved;
   try {
     prepare(folder, surface, lumen, conditions, how);
-    FoamSettings settings = settings_;
-    settings.cellSize *= how.cells;
+    const FoamSettings settings = settingsFor(how.cells);
     FoamRun run(folder, lumen, conditions, settings, execution_);
     std::optional<FoamStart> start;
     if (moved) {

@@ -62,6 +62,8 @@ class FoamBackend : public FlowBackend {
   };
   FlowSolution attempt(const std::filesystem::path& folder, const TriSurface& surface, const LumenCase& lumen,
                        const FlowConditions& conditions, const Attempt& how) const;
+  /// The settings with cells of so many times the size.
+  FoamSettings settingsFor(double cells) const;
   struct FurtherAttempt;
   /// Up to three attempts with a new mesh; `how` is for the first.
   FlowSolution solveWithNewMesh(const std::filesystem::path& folder, const TriSurface& surface,
