@@ -115,6 +115,7 @@ void resolve(Scene& scene, const SceneDocument& document) {
   if (const GivenSection* given = document.find(LbmSettings::section)) {
     const LbmSettings level = LbmSettings::forFidelity(scene.scene.fidelity);
     if (!given->values.contains("dx")) scene.lbm->dx = level.dx;
+    if (!given->values.contains("tolerance")) scene.lbm->tolerance = level.tolerance;
   }
 }
 

@@ -42,6 +42,16 @@ TEST(LbmBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
   EXPECT_GT(expectStrutDisturbs(s, 0.815e-3).stress, 1.3 * vesselStress());
 }
 
+/// Relative L2 norm of the difference of two tractions on the same faces.
+double tractionDifference(const FlowSolution& a, const FlowSolution& b) {
+  double difference = 0.0, norm = 0.0;
+  for (std::size_t f = 0; f < a.wall.size(); ++f) {
+    difference += a.wall[f].area * (a.wall[f].traction - b.wall[f].traction).squaredNorm();
+    norm += a.wall[f].area * a.wall[f].traction.squaredNorm();
+  }
+  return std::sqrt(difference / norm);
+}
+
 TEST(LbmBackend, coarseLatticesToStartFromChangeNothingButTheSteps) {
   LbmSettings direct = spaced(50e-6), viaCoarse = direct;
   direct.coarseLevels = 0;
@@ -49,12 +59,46 @@ TEST(LbmBackend, coarseLatticesToStartFromChangeNothingButTheSteps) {
   const TriSurface lumen = stentedTube(vesselRadius, vesselLength, 90e-6);
   const auto a = LbmBackend(direct).solve(lumen, vesselConditions(), {}),
              b = LbmBackend(viaCoarse).solve(lumen, vesselConditions(), {});
-  double difference = 0.0, norm = 0.0;
-  for (std::size_t f = 0; f < a.wall.size(); ++f) {
-    difference += a.wall[f].area * (a.wall[f].traction - b.wall[f].traction).squaredNorm();
-    norm += a.wall[f].area * a.wall[f].traction.squaredNorm();
-  }
-  EXPECT_LT(std::sqrt(difference / norm), 2.0 * direct.tolerance);
+  EXPECT_LT(tractionDifference(a, b), 2.0 * direct.tolerance);
+}
+
+TEST(LbmBackend, theFormerFlowToStartFromChangesNothingButTheSteps) {
+  const TemporaryFolder scratch;
+  LbmSettings settings = spaced(50e-6);
+  settings.coarseLevels = 0;
+  LbmBackend(settings).solve(stentedTube(1.01 * vesselRadius, vesselLength, 90e-6), vesselConditions(),
+                             scratch.path() / "former");
+  const TriSurface lumen = stentedTube(vesselRadius, vesselLength, 90e-6);
+  const auto fromRest = LbmBackend(settings).solve(lumen, vesselConditions(), {});
+  LbmBackend warm(settings);
+  ASSERT_EQ(warm.filesToStartFrom(scratch.path() / "former").size(), 1);
+  warm.startFrom(scratch.path() / "former");
+  const auto fromFormer = warm.solve(lumen, vesselConditions(), {});
+  EXPECT_LT(tractionDifference(fromRest, fromFormer), 2.0 * settings.tolerance);
+  EXPECT_LT(fromFormer.iterations, fromRest.iterations);
+}
+
+TEST(LbmBackend, withoutTheFormerFlowItStartsAsEver) {
+  const TemporaryFolder scratch;
+  const TriSurface lumen = tube(vesselRadius, vesselLength);
+  LbmBackend backend(spaced(60e-6));
+  EXPECT_THROW(backend.filesToStartFrom(scratch.path()), std::runtime_error);
+  backend.startFrom(scratch.path());
+  const auto s = backend.solve(lumen, vesselConditions(), scratch.path() / "case");
+  EXPECT_EQ(s.iterations, LbmBackend(spaced(60e-6)).solve(lumen, vesselConditions(), {}).iterations);
+}
+
+/// A steady flow that two relaxation times settle to depends on its Reynolds number alone.
+TEST(LbmBackend, theTimeStepChangesNothingButTheSteps) {
+  const TriSurface lumen = stentedTube(vesselRadius, vesselLength, 90e-6);
+  LbmSettings small = spaced(50e-6), large = small;
+  small.latticeVelocity = 0.1;
+  large.latticeVelocity = 0.3;
+  small.tolerance = large.tolerance = 1e-4;
+  const auto a = LbmBackend(small).solve(lumen, vesselConditions(), {}),
+             b = LbmBackend(large).solve(lumen, vesselConditions(), {});
+  EXPECT_LT(tractionDifference(a, b), 0.01);
+  EXPECT_LT(b.iterations, 0.5 * a.iterations);
 }
 
 TEST(LbmBackend, poiseuilleInATubeTurnedFromTheLattice) {

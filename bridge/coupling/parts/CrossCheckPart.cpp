@@ -83,6 +83,7 @@ bool CrossCheckPart::check(const TriSurface& lumen) {
   auto measurement = run_.timer.measure(part);
   const std::filesystem::path folder = run_.folder.crossCheckCase(flow_->time);
   const FlowParameters& flow = *run_.scene.flow;
+  if (!state_.checks.empty()) backend_->startFrom(run_.folder.crossCheckCase(state_.checks.back().time));
   try {
     const FlowSolution other =
         backend_->solve(lumen, flow.conditions(run_.scene.vessel.lumenDiameter), folder);

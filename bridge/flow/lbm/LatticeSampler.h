@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vector>
-
-#include "bridge/flow/lbm/SteadyLattice.h"
+#include "bridge/flow/lbm/LatticeField.h"
 
 namespace restenosis {
 
@@ -11,13 +9,11 @@ namespace restenosis {
 /// at rest.
 class LatticeSampler {
  public:
-  explicit LatticeSampler(const SteadyLattice& solved);
+  explicit LatticeSampler(LatticeField field) : field_(std::move(field)) {}
   FlowPoint operator()(const Vec3& position) const;
 
  private:
-  LatticeFrame frame_;
-  std::vector<std::int32_t> index_;  ///< of points_, by node of the box; -1 outside the fluid
-  std::vector<FlowPoint> points_;
+  LatticeField field_;
 };
 
 }  // namespace restenosis

@@ -31,13 +31,10 @@ class FlowEstimate {
   double pressure(const Vec3& position) const;
   double velocity(const Vec3& position) const;
   double length() const { return length_; }  ///< along the lumen [m]
-  /// Whether the lumen may be narrower somewhere than the estimate knows.
-  bool knowsEndsOnly() const { return area_.empty(); }
-  /// The flow has turned out to be so much faster somewhere.
-  void raisePeak(double factor) { peak_ *= factor; }
 
  private:
   void fromEnds(const TriSurface& lumen, const FlowConditions& conditions);
+  bool knowsEndsOnly() const { return area_.empty(); }
   std::size_t station(double z) const;
 
   Vec3 centre_ = Vec3::Zero();

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/LumenShape.h"
@@ -34,8 +35,10 @@ constexpr int mostHalvings = 3;
 constexpr double mostNodesOfHalved = 1e6;
 /// Nodes across the inlet below which a coarser lattice is of no use.
 constexpr double fewestNodesAcross = 16.0;
-/// How often the time step is halved in a lumen whose narrowest place is not known (assumed).
+/// How often the time step is halved after a flow that diverges (assumed).
 constexpr int mostShorterSteps = 4;
+/// Of a case, the flow that the next one may start from.
+constexpr const char* fieldFile = "flow.vti";
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
 constexpr double massLimit = 0.05, massRemark = 0.01;
 
@@ -106,24 +109,46 @@ void requireFlow(const FlowConditions& conditions) {
 /// Solves on one lattice after the other, each from the flow of the one before.
 class LevelSolver {
  public:
-  /// Adds times and steps to `solution`.
+  /// Adds times and steps to `solution`. `former`: the flow in a lumen like this one, or null.
   LevelSolver(const TriSurface& lumen, const FlowConditions& conditions, const LbmSettings& settings,
-              const std::atomic<bool>* stopRequested, Log& log, FlowSolution& solution)
+              const LatticeSampler* former, const std::atomic<bool>* stopRequested, Log& log,
+              FlowSolution& solution)
       : lumen_(lumen),
         conditions_(conditions),
         settings_(settings),
+        former_(former),
         stopRequested_(stopRequested),
         log_(log),
         solution_(solution),
         estimate_(lumen, conditions),
-        start_([this](const Vec3& p) {
-          return FlowPoint{Vec3(0.0, 0.0, estimate_.velocity(p)), estimate_.pressure(p)};
-        }) {}
+        latticeVelocity_(settings.latticeVelocity) {}
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
-  /// The finest lattice, solved. Coarser ones that fail are left out.
+  /// The finest lattice, solved.
   std::unique_ptr<SteadyLattice> solve() {
+    if (former_ != nullptr) {
+      try {
+        log_.line("from the former flow");
+        start_ = std::cref(*former_);
+        auto lattice = solveSlowly(settings_.dx, settings_.tolerance);
+        if (stopped()) throw LatticeFailed("stopped on request");
+        return lattice;
+      } catch (const LatticeFailed& error) {
+        if (stopped()) throw;
+        log_.line("  {}; once more from Poiseuille's flow", error.what());
+      }
+    }
+    return solveByLevels();
+  }
+
+ private:
+  /// From Poiseuille's flow on the coarsest lattice, and so on. Coarser ones that fail are left out.
+  std::unique_ptr<SteadyLattice> solveByLevels() {
+    latticeVelocity_ = settings_.latticeVelocity;
+    start_ = [this](const Vec3& p) {
+      return FlowPoint{Vec3(0.0, 0.0, estimate_.velocity(p)), estimate_.pressure(p)};
+    };
     const auto levels = spacings(lumen_, settings_);
     for (const double dx : levels) {
       const bool finest = dx == levels.back();
@@ -137,31 +162,35 @@ class LevelSolver {
       }
       if (stopped()) throw LatticeFailed("stopped on request");
       if (finest) return lattice;
-      coarser_ = std::make_unique<LatticeSampler>(*lattice);
+      coarser_ = std::make_unique<LatticeSampler>(latticeField(*lattice));
       start_ = [this](const Vec3& p) { return (*coarser_)(p); };
     }
     throw std::logic_error("no lattice to solve on");
   }
 
- private:
   bool stopped() const { return stopRequested_ && *stopRequested_; }
 
-  /// Where a lumen may be narrower than is known, and the flow faster, once more with shorter time steps.
+  /// Once more with shorter time steps where the flow diverges: it may be faster somewhere than is known.
   std::unique_ptr<SteadyLattice> solveSlowly(double dx, double tolerance) {
     for (int shorter = 0;; ++shorter) {
       try {
         return solveOn(dx, tolerance);
       } catch (const LatticeDiverged& error) {
-        if (!estimate_.knowsEndsOnly() || shorter == mostShorterSteps) throw;
+        if (shorter == mostShorterSteps) throw;
         log_.line("  {}; once more with half the time step", error.what());
-        estimate_.raisePeak(2.0);
+        latticeVelocity_ = 0.5 * velocityUsed_;
       }
     }
   }
 
   std::unique_ptr<SteadyLattice> solveOn(double dx, double tolerance) {
     auto began = Clock::now();
-    auto lattice = std::make_unique<SteadyLattice>(lumen_, conditions_, settings_, estimate_, dx);
+    LbmSettings settings = settings_;
+    // A coarser lattice's stress only tells when its flow has settled
+    if (dx > settings.dx) settings.stress = "nearest";
+    settings.latticeVelocity = latticeVelocity_;
+    auto lattice = std::make_unique<SteadyLattice>(lumen_, conditions_, settings, estimate_, dx);
+    velocityUsed_ = estimate_.peakVelocity() / lattice->units().velocity();
     lattice->start(start_);
     solution_.meshSeconds += secondsSince(began);
     log_.line("spacing {:.4g} um: {} nodes, relaxation time {:.4f}, time step {:.4g} s",
@@ -180,10 +209,13 @@ class LevelSolver {
   const TriSurface& lumen_;
   const FlowConditions& conditions_;
   const LbmSettings& settings_;
+  const LatticeSampler* former_;
   const std::atomic<bool>* stopRequested_;
   Log& log_;
   FlowSolution& solution_;
   FlowEstimate estimate_;
+  double latticeVelocity_;     ///< LbmSettings::latticeVelocity, or less after a flow that has diverged
+  double velocityUsed_ = 0.0;  ///< on the last lattice; less where viscosity sets the time step
   std::unique_ptr<LatticeSampler> coarser_;
   std::function<FlowPoint(const Vec3&)> start_;
 };
@@ -213,6 +245,17 @@ void judge(FlowSolution& solution, const SteadyLattice& solved) {
 
 std::string_view LbmBackend::name() const { return flowBackendNames::lbm; }
 
+void LbmBackend::startFrom(const std::filesystem::path& formerCase) { former_ = formerCase; }
+
+bool LbmBackend::needsFormerCase() const { return settings_.warmStart; }
+
+std::vector<std::filesystem::path> LbmBackend::filesToStartFrom(
+    const std::filesystem::path& formerCase) const {
+  if (!std::filesystem::is_regular_file(formerCase / fieldFile))
+    throw std::runtime_error(fmt::format("there is no {}", fieldFile));
+  return {fieldFile};
+}
+
 std::vector<Vec3> LbmBackend::velocities(const std::vector<Vec3>& points) const {
   if (!kept_) return {};
   std::vector<Vec3> result;
@@ -232,14 +275,27 @@ FlowSolution LbmBackend::solve(const TriSurface& lumen, const FlowConditions& co
     FlowSolution solution;
     LbmSettings settings = settings_;
     std::string refused;
+    std::optional<LatticeSampler> former;
+    if (settings_.warmStart && !former_.empty()) {
+      const auto file = former_ / fieldFile;
+      try {
+        former.emplace(readLatticeField(file));
+      } catch (const std::runtime_error& error) {
+        log.line("{} {}", file.string(), error.what());
+      }
+    }
     for (int halvings = 0;; ++halvings, settings.dx /= 2) {
       try {
-        const auto solved = LevelSolver(lumen, conditions, settings, stopRequested_, log, solution).solve();
-        if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(*solved);
+        const auto solved = LevelSolver(lumen, conditions, settings, former ? &*former : nullptr,
+                                        stopRequested_, log, solution)
+                                .solve();
         take(solution, *solved);
         log.line("mass imbalance {:.3g}, pressure drop {:.5g} Pa", solution.massImbalance,
                  solution.pressureDrop);
         judge(solution, *solved);
+        LatticeField field = latticeField(*solved);
+        if (!caseFolder.empty()) writeLatticeField(caseFolder / fieldFile, field);
+        if (keepVelocities_) kept_ = std::make_shared<LatticeSampler>(std::move(field));
         break;
       } catch (const std::exception& error) {
         // What a finer lattice says of its own is of less use than what is wrong with that of the settings.

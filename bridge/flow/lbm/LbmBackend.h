@@ -16,9 +16,10 @@ class SteadyLattice;
 /// surface.
 ///
 /// The flow starts from Poiseuille's in every cross-section, on a coarse lattice, and each lattice from the
-/// one before. It is converged when the wall shear stress is. Divergence, a lumen that the lattice does not
-/// resolve and a flow that does not settle end by FlowFailed, which names the setting to change. Writes
-/// `log.lbm`.
+/// one before; with the case of a former solve (startFrom), from its flow, on its own lattice at once. It is
+/// converged when the wall shear stress is. Divergence, a lumen that the lattice does not resolve and a flow
+/// that does not settle end by FlowFailed, which names the setting to change. Writes `log.lbm` and `flow.vti`
+/// (writeLatticeField).
 class LbmBackend : public FlowBackend {
  public:
   /// @param keepVelocities of the last solution, about 40 bytes a node
@@ -28,12 +29,16 @@ class LbmBackend : public FlowBackend {
   std::string_view name() const override;
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
+  void startFrom(const std::filesystem::path& formerCase) override;
+  bool needsFormerCase() const override;
+  std::vector<std::filesystem::path> filesToStartFrom(const std::filesystem::path& formerCase) const override;
   std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override;
 
  private:
   LbmSettings settings_;
   const std::atomic<bool>* stopRequested_;
   bool keepVelocities_;
+  std::filesystem::path former_;  ///< case that the next solve starts from; empty for none
   std::shared_ptr<const LatticeSampler> kept_;
 };
 

@@ -14,8 +14,10 @@ namespace {
 struct Level {
   std::string_view fidelity;
   double dx;  // [m]
+  double tolerance;
 };
-constexpr std::array levels = {Level{"draft", 30e-6}, Level{"standard", 20e-6}, Level{"reference", 15e-6}};
+constexpr std::array levels = {Level{"draft", 30e-6, 5e-3}, Level{"standard", 20e-6, 2e-3},
+                               Level{"reference", 15e-6, 1e-3}};
 
 constexpr std::array collisions{Named<bool>{"trt", false}, Named<bool>{"bgk", true}};
 constexpr std::array walls{Named<WallRule>{"interpolated", WallRule::interpolated},
@@ -85,6 +87,9 @@ void LbmSettings::describe(ParameterVisitor& p) {
              .maximum = 8,
              .source = "assumed",
              .description = "lattices of twice, four times ... the spacing from which the solution starts"});
+  p.boolean(warmStart, {.key = "warmStart",
+                        .source = "docs/results/flow.md",
+                        .description = "start from the former flow instead of from coarser lattices"});
   p.integer(maximumSteps,
             {.key = "maximumSteps", .minimum = 2, .source = "assumed", .description = "most time steps"});
   p.quantity(maximumNodes,
@@ -99,6 +104,7 @@ LbmSettings LbmSettings::forFidelity(std::string_view fidelity) {
     if (level.fidelity == fidelity) {
       LbmSettings settings;
       settings.dx = level.dx;
+      settings.tolerance = level.tolerance;
       return settings;
     }
   throw std::invalid_argument(

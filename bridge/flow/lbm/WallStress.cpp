@@ -35,9 +35,8 @@ class NodeFinder {
     for (const NodeRun& run : lattice.layout.runs())
       for (std::uint32_t k = 0; k < run.count; ++k)
         place_[at(run.x, run.y, run.z + static_cast<int>(k))] = run.first + k;
-    for (const auto& link : lattice.links) linked_.push_back(link.node);
-    std::sort(linked_.begin(), linked_.end());
-    linked_.erase(std::unique(linked_.begin(), linked_.end()), linked_.end());
+    linked_.assign(lattice.layout.places(), false);
+    for (const auto& link : lattice.links) linked_[link.node] = true;
   }
 
   /// Fluid nodes within `reach` spacings on the lumen's side of a face, in the order of the lattice.
@@ -58,8 +57,7 @@ class NodeFinder {
           if (distance >= 1.0 || offset.dot(normal) > 0.0) continue;
           const std::uint32_t place = place_[at(x, y, z)];
           if (place == none) continue;
-          const bool linked = std::binary_search(linked_.begin(), linked_.end(), place);
-          found.push_back({place, offset, (linked ? ofLinked : 1.0) * (1.0 - distance * distance)});
+          found.push_back({place, offset, (linked_[place] ? ofLinked : 1.0) * (1.0 - distance * distance)});
         }
     return found;
   }
@@ -73,7 +71,8 @@ class NodeFinder {
            static_cast<std::size_t>(z);
   }
   LatticeFrame frame_;
-  std::vector<std::uint32_t> place_, linked_;
+  std::vector<std::uint32_t> place_;
+  std::vector<bool> linked_;  ///< by place: whether a link of it meets the surface
 };
 
 /// Where the wall bends within a few spacings.
@@ -111,7 +110,7 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
   listFaces(lumen, rule, lattice.frame.dx);
   NodesOfFaces found = findNodes(lattice, rule);
   weigh(found, lumen, lattice);
-  keep(found);
+  keep(found, lattice.layout.places());
 }
 
 void WallStress::listFaces(const TriSurface& lumen, StressRule rule, double dx) {
@@ -175,19 +174,24 @@ void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const Lumen
   }
 }
 
-void WallStress::keep(const NodesOfFaces& found) {
-  for (const auto& nodes : found)
-    for (const auto& n : nodes) nodes_.push_back(n.place);
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+void WallStress::keep(const NodesOfFaces& found, std::size_t places) {
+  std::vector<std::uint32_t> order(places, 0);  // by place: of nodes_, where it is one
+  std::size_t terms = 0;
+  for (const auto& nodes : found) {
+    terms += nodes.size();
+    for (const auto& n : nodes) order[n.place] = 1;
+  }
+  for (std::size_t place = 0; place < places; ++place)
+    if (order[place] != 0) {
+      order[place] = static_cast<std::uint32_t>(nodes_.size());
+      nodes_.push_back(static_cast<std::uint32_t>(place));
+    }
+  terms_.reserve(terms);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     faces_[f].first = static_cast<std::uint32_t>(terms_.size());
     faces_[f].count = static_cast<std::uint32_t>(found[f].size());
     if (found[f].empty()) ++bare_;
-    for (const auto& n : found[f]) {
-      const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), n.place) - nodes_.begin();
-      terms_.push_back({static_cast<std::uint32_t>(at), n.weight});
-    }
+    for (const auto& n : found[f]) terms_.push_back({order[n.place], n.weight});
   }
 }
 

@@ -65,7 +65,7 @@ class WallStress {
   /// Makes the nodes' weights those of the stress, by each face's rule.
   void weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const;
   /// Fills nodes_ and terms_.
-  void keep(const NodesOfFaces& found);
+  void keep(const NodesOfFaces& found, std::size_t places);
 
   double viscosity_;
   std::vector<Face> faces_;
