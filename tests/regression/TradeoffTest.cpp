@@ -120,9 +120,10 @@ pictures = false
   }
   EXPECT_NE(field(rows[3], 3), field(rows[5], 3)) << "[lbm] without dx leaves the spacing to the fidelity";
 
-  ASSERT_EXIT_STATUS(run({"tradeoff", tube, "-o", "spacing", "--set", "lbm.dx=40 um"}), 0);
+  ASSERT_EXIT_STATUS(
+      run({"tradeoff", tube, "-o", "spacing", "--set", "lbm.dx=40 um", "--set", "lbm.tolerance=1e-3"}), 0);
   const auto given = lines("spacing/tradeoff.csv");
-  ASSERT_EQ(given.size(), 4u) << "one spacing is one lattice";
+  ASSERT_EQ(given.size(), 4u) << "one spacing and tolerance is one lattice";
   EXPECT_TRUE(given[3].starts_with("scene.fidelity (lbm),reference,")) << given[3];
 }
 

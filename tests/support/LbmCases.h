@@ -13,7 +13,7 @@ namespace restenosis::support {
 /// Stress in the middle tenth of a tube turned by an angle from the lattice, solved with open ends, which are
 /// cut along the lattice, against Poiseuille's.
 inline StressError turnedTubeError(double degrees, int nodesAcross, const char* wall = "interpolated",
-                                   const char* stress = "fitted") {
+                                   const char* stress = "adaptive") {
   const double angle = degrees * std::numbers::pi / 180.0, radius = 0.5e-3, length = 3e-3;
   // Through the ends, cut obliquely, flows what flows along the axis
   const FlowConditions conditions = slowConditions(std::numbers::pi * radius * radius);

@@ -52,14 +52,15 @@ inline TriSurface tube(double radius, double length, int pieces = 12) {
   return revolve(profile);
 }
 
-/// A tube with a square ring of size `strut` half way along [m].
-inline TriSurface stentedTube(double radius, double length, double strut) {
+/// A tube with a square ring of size `strut` half way along [m], whose faces are cut into so many pieces.
+inline TriSurface stentedTube(double radius, double length, double strut, int pieces = 1) {
   const double a = 0.5 * (length - strut), b = 0.5 * (length + strut);
   std::vector<ProfilePoint> profile;
   for (int i = 0; i < 6; ++i) profile.push_back({radius, a * i / 6});
-  profile.push_back({radius, a, SurfaceRegion::strut});
-  profile.push_back({radius - strut, a, SurfaceRegion::strut});
-  profile.push_back({radius - strut, b, SurfaceRegion::strut});
+  const double piece = strut / pieces;
+  for (int i = 0; i < pieces; ++i) profile.push_back({radius - i * piece, a, SurfaceRegion::strut});
+  for (int i = 0; i < pieces; ++i) profile.push_back({radius - strut, a + i * piece, SurfaceRegion::strut});
+  for (int i = 0; i < pieces; ++i) profile.push_back({radius - strut + i * piece, b, SurfaceRegion::strut});
   for (int i = 0; i <= 6; ++i) profile.push_back({radius, b + (length - b) * i / 6});
   return revolve(profile);
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bridge/flow/lbm/WallFit.h"
@@ -80,6 +81,35 @@ TEST(WallFit, slopesOfTheRatioAreMostlyFollowed) {
   // Poiseuille's flow in a tube of 30 spacings, near its wall; the mean ratio would be off by 3 %
   const auto field = [](const Vec3& p) { return -p.dot(oblique) * (1.0 + p.dot(oblique) / 30.0); };
   EXPECT_NEAR(applied(nodes, field), 1.0, 0.01);
+}
+
+TEST(WallFit, nodesBeyondAnEdgeDoNotFaceThePlane) {
+  // A plane that ends at s = 0: beyond, the edge is the nearest place of the wall
+  const Vec3 along = oblique.unitOrthogonal();
+  auto nodes = nodesBelow(oblique, 3.0);
+  for (NearNode& n : nodes) {
+    const double d = -n.offset.dot(oblique), s = std::max(0.0, n.offset.dot(along));
+    n.wallDistance = std::hypot(d, s);
+  }
+  const std::size_t before = nodes.size();
+  keepFacing(nodes, oblique);
+  EXPECT_LT(nodes.size(), before);
+  for (const NearNode& n : nodes) EXPECT_LT(n.offset.dot(along), 1.6);
+  EXPECT_TRUE(std::ranges::any_of(nodes, [&](const NearNode& n) { return n.offset.dot(along) < -1.0; }));
+}
+
+TEST(WallFit, wherePlaneAndWallAreOneEveryNodeFaces) {
+  auto nodes = nodesBelow(oblique, 3.0);
+  for (NearNode& n : nodes) n.wallDistance = -n.offset.dot(oblique);
+  const std::size_t before = nodes.size();
+  keepFacing(nodes, oblique);
+  EXPECT_EQ(nodes.size(), before);
+}
+
+TEST(WallFit, whereHardlyANodeFacesThePlaneAllStay) {
+  std::vector<NearNode> nodes = {{0, -0.5 * oblique, 1.0, 3.0}, {1, -1.5 * oblique, 0.5, 3.0}};
+  keepFacing(nodes, oblique);
+  EXPECT_EQ(nodes.size(), 2);
 }
 
 TEST(WallFit, fewNodesGiveTheMeanRatio) {

@@ -42,6 +42,17 @@ TEST(LbmBackend, strutRaisesStressOnItsTopAndLowersItBeside) {
   EXPECT_GT(expectStrutDisturbs(s, 0.815e-3).stress, 1.3 * vesselStress());
 }
 
+/// Against an axisymmetric solution with cells of 1.25 um at the ring (docs/results/verification.md).
+TEST(LbmBackend, aSquareRingFeelsTheStressOfAResolvedSolution) {
+  constexpr double resolved = 2.045;  // mean over the ring [Pa]
+  const auto s = LbmBackend(spaced(20e-6))
+                     .solve(stentedTube(vesselRadius, vesselLength, 90e-6, 9), vesselConditions(), {});
+  double sum = 0.0, area = 0.0;
+  for (const WallFace& f : s.wall)
+    if (f.region == SurfaceRegion::strut) sum += f.area * f.traction.norm(), area += f.area;
+  EXPECT_NEAR(sum / area / resolved, 1.0, 0.06);
+}
+
 /// Relative L2 norm of the difference of two tractions on the same faces.
 double tractionDifference(const FlowSolution& a, const FlowSolution& b) {
   double difference = 0.0, norm = 0.0;

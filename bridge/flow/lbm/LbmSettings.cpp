@@ -16,16 +16,14 @@ struct Level {
   double dx;  // [m]
   double tolerance;
 };
-constexpr std::array levels = {Level{"draft", 30e-6, 5e-3}, Level{"standard", 20e-6, 2e-3},
+constexpr std::array levels = {Level{"draft", 25e-6, 5e-3}, Level{"standard", 20e-6, 2e-3},
                                Level{"reference", 15e-6, 1e-3}};
 
 constexpr std::array collisions{Named<bool>{"trt", false}, Named<bool>{"bgk", true}};
 constexpr std::array walls{Named<WallRule>{"interpolated", WallRule::interpolated},
                            Named<WallRule>{"bounceBack", WallRule::bounceBack}};
-constexpr std::array stresses{
-    Named<StressRule>{"adaptive", StressRule::adaptive}, Named<StressRule>{"fitted", StressRule::fitted},
-    Named<StressRule>{"ratio", StressRule::ratio}, Named<StressRule>{"gradient", StressRule::gradient},
-    Named<StressRule>{"nearest", StressRule::nearest}};
+constexpr std::array stresses{Named<StressRule>{"adaptive", StressRule::adaptive},
+                              Named<StressRule>{"nearest", StressRule::nearest}};
 constexpr std::array precisions{Named<bool>{"double", false}, Named<bool>{"float", true}};
 
 }  // namespace
@@ -58,11 +56,8 @@ void LbmSettings::describe(ParameterVisitor& p) {
       stress, namesOf(stresses),
       {.key = "stress",
        .source = "assumed",
-       .description =
-           "from the stress of the nodes around (fitted), from the ratio of their velocity to the distance "
-           "from the wall (ratio), from the velocity gradient (gradient), the first where the wall "
-           "is smooth, the second where it is rough, the third on struts (adaptive), or the nearest "
-           "node's stress"});
+       .description = "fitted to the nodes around, by what the wall is like there (adaptive), or the nearest "
+                      "node's stress as it is (nearest, T6)"});
   p.choice(precision, namesOf(precisions),
            {.key = "precision", .source = "assumed", .description = "of the populations"});
   p.quantity(latticeVelocity,

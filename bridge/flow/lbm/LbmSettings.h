@@ -26,7 +26,7 @@ struct LbmSettings {
   std::string collision = "trt";       ///< trt or bgk
   double magic = 3.0 / 16.0;           ///< magic parameter of the two relaxation times
   std::string wall = "interpolated";   ///< interpolated or bounceBack
-  std::string stress = "adaptive";     ///< adaptive, fitted, ratio, gradient or nearest
+  std::string stress = "adaptive";     ///< adaptive or nearest
   std::string precision = "float";     ///< double or float
   double latticeVelocity = 0.3;        ///< largest expected velocity [spacings per time step]
   double tolerance = 1e-3;             ///< estimated distance of WSS from its steady state, relative
@@ -43,7 +43,7 @@ struct LbmSettings {
   WallRule wallRule() const;
   StressRule stressRule() const;
   bool singlePrecision() const;
-  /// The settings of a fidelity level: draft (30 um, tolerance 0.5 %), standard (20 um, 0.2 %) or
+  /// The settings of a fidelity level: draft (25 um, tolerance 0.5 %), standard (20 um, 0.2 %) or
   /// reference (15 um, 0.1 %). Throws
   /// std::invalid_argument for others.
   static LbmSettings forFidelity(std::string_view fidelity);

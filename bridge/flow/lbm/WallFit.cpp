@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace restenosis {
 namespace {
@@ -21,6 +22,11 @@ constexpr double ratioRidge = 0.1;
 /// Added to distances from the wall [spacings], so that a node on it does not count infinitely (assumed).
 constexpr double distanceOfNodeOnWall = 0.1;
 
+/// Nodes face a plane whose distance from it is that from the wall, but for this part of it and as many
+/// spacings: planes of a drawing bend a little (assumed).
+constexpr double facingPart = 0.1, facingSpacings = 0.05;
+constexpr std::ptrdiff_t fewestFacing = 4;
+
 constexpr int terms = 7;
 using Row = Eigen::Matrix<double, terms, 1>;
 
@@ -32,6 +38,14 @@ void fitProportional(std::vector<NearNode>& nodes, const Vec3& n) {
 }
 
 }  // namespace
+
+void keepFacing(std::vector<NearNode>& nodes, const Vec3& outwardNormal) {
+  const auto facing = [&](const NearNode& node) {
+    return node.wallDistance <= -(1.0 + facingPart) * node.offset.dot(outwardNormal) + facingSpacings;
+  };
+  if (std::count_if(nodes.begin(), nodes.end(), facing) >= fewestFacing)
+    std::erase_if(nodes, std::not_fn(facing));
+}
 
 void fitValue(std::vector<NearNode>& nodes) {
   Eigen::Matrix4d normalMatrix = Eigen::Matrix4d::Zero();

@@ -12,8 +12,14 @@ struct NearNode {
   std::uint32_t place;
   Vec3 offset;  ///< from the face's centre [spacings]
   double weight;
-  double wallDistance = 0.0;  ///< from the nearest place of the wall [spacings]; read by fitWallRatio alone
+  double wallDistance = 0.0;  ///< from the nearest place of the wall [spacings]; what fitWallRatio and
+                              ///< keepFacing go by
 };
+
+/// Leaves out nodes that are nearer to another face of the wall than to the plane of this one: beyond an edge
+/// of it, a quantity that vanishes on the wall does not vanish on the plane. Too few would be left: keeps
+/// all.
+void keepFacing(std::vector<NearNode>& nodes, const Vec3& outwardNormal);
 
 /// Turns the weights of a linear least-squares fit around a face into those of its value at the face's
 /// centre. Few nodes give their mean.

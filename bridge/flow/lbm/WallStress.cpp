@@ -152,13 +152,15 @@ WallStress::NodesOfFaces WallStress::findNodes(const LumenLattice& lattice, Stre
 void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const {
   WallDistances distances(lumen, lattice);
   for (std::size_t f = 0; f < faces_.size(); ++f)
-    if (faces_[f].rule == StressRule::ratio) distances.add(faces_[f].centre, found[f]);
+    if (faces_[f].ofVelocity()) distances.add(faces_[f].centre, found[f]);
   distances.find();
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (found[f].empty()) continue;
     switch (faces_[f].rule) {
       case StressRule::gradient:
+        distances.set(found[f]);
+        keepFacing(found[f], faces_[f].normal);
         fitWallDerivative(found[f], faces_[f].normal);
         break;
       case StressRule::ratio:

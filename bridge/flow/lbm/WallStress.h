@@ -15,7 +15,7 @@ namespace restenosis {
 enum class StressRule {
   adaptive,  ///< fitted where the wall is smooth on the scale of the spacing; elsewhere ratio, on struts
              ///< gradient
-  gradient,  ///< of the velocity along the normal, fitted to the nodes around with none on the wall
+  gradient,  ///< of the velocity along the normal, fitted to the nodes that face it, with none on the wall
   ratio,     ///< of the velocity to the distance from the wall, fitted to the nodes around, at the wall
   fitted,    ///< a linear function fitted to the stress of the nodes around, at the wall
   nearest    ///< the stress of the nearest node, as it is
