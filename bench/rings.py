@@ -3,6 +3,7 @@
 The tube has a radius of 0.9 mm, the ring 0.09 mm in both directions; blood flows with 0.133 m/s in the mean.
 """
 import math
+import os
 import subprocess
 from pathlib import Path
 
@@ -195,7 +196,8 @@ def resolved(folder, length, cell):
         writeWedge(folder, length, cell)
         for program in ("blockMesh", "simpleFoam"):
             with open(folder / f"log.{program}", "w") as log:
-                subprocess.run([program, "-case", folder], check=True, stdout=log, stderr=subprocess.STDOUT)
+                subprocess.run([program, "-case", folder], check=True, stdout=log, stderr=subprocess.STDOUT,
+                               env={"WM_PROJECT_DIR": "/usr/share/openfoam"} | os.environ)  # Debian's
     last = max(samples.iterdir(), key=lambda time: float(time.name))
     force, area = 0.0, 0.0
     for patch in ("top", "front", "back"):

@@ -38,7 +38,7 @@ constexpr double fewestNodesAcross = 16.0;
 /// How often the time step is halved after a flow that diverges (assumed).
 constexpr int mostShorterSteps = 4;
 /// Of a case, the flow that the next one may start from.
-constexpr const char* fieldFile = "flow.vti";
+constexpr const char* fieldFile = "lattice.vti";
 /// Difference of inflow and outflow above which the solution is refused, and above which it is remarked on.
 constexpr double massLimit = 0.05, massRemark = 0.01;
 
