@@ -18,8 +18,8 @@ class SteadyLattice;
 /// The flow starts from Poiseuille's in every cross-section, on a coarse lattice, and each lattice from the
 /// one before; with the case of a former solve (startFrom), from its flow, on its own lattice at once. It is
 /// converged when the wall shear stress is. Divergence, a lumen that the lattice does not resolve and a flow
-/// that does not settle end by FlowFailed, which names the setting to change. Writes `log.lbm` and `lattice.vti`
-/// (writeLatticeField).
+/// that does not settle end by FlowFailed, which names the setting to change. Writes `log.lbm` and
+/// `lattice.vti` (writeLatticeField).
 class LbmBackend : public FlowBackend {
  public:
   /// @param keepVelocities of the last solution, about 40 bytes a node
