@@ -178,9 +178,9 @@ void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const Lumen
 
 void WallStress::keep(const NodesOfFaces& found, std::size_t places) {
   std::vector<std::uint32_t> order(places, 0);  // by place: of nodes_, where it is one
-  std::size_t terms = 0;
+  std::size_t count = 0;
   for (const auto& nodes : found) {
-    terms += nodes.size();
+    count += nodes.size();
     for (const auto& n : nodes) order[n.place] = 1;
   }
   for (std::size_t place = 0; place < places; ++place)
@@ -188,7 +188,7 @@ void WallStress::keep(const NodesOfFaces& found, std::size_t places) {
       order[place] = static_cast<std::uint32_t>(nodes_.size());
       nodes_.push_back(static_cast<std::uint32_t>(place));
     }
-  terms_.reserve(terms);
+  terms_.reserve(count);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     faces_[f].first = static_cast<std::uint32_t>(terms_.size());
     faces_[f].count = static_cast<std::uint32_t>(found[f].size());
