@@ -42,6 +42,24 @@ class PointTree {
     return result;
   }
 
+  /// Whether `condition(index)` holds for one of them nearer than `distance` [m]. Asks none after that one.
+  template <class Condition>
+  bool anyWithin(const Vec3& place, double distance, Condition condition) const {
+    struct Search {
+      double square;
+      Condition& condition;
+      bool found = false;
+      double worstDist() const { return square; }
+      bool full() const { return true; }
+      bool addPoint(double, std::uint32_t index) {
+        found = condition(std::size_t{index});
+        return !found;
+      }
+    } search{distance * distance, condition};
+    if (!empty()) tree_.findNeighbors(search, place.data(), nanoflann::SearchParams(0, 0.0f, false));
+    return search.found;
+  }
+
  private:
   struct Cloud {
     std::vector<Vec3> points;

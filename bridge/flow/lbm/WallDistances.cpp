@@ -1,18 +1,16 @@
 #include "bridge/flow/lbm/WallDistances.h"
 
-#include "bridge/surface/NearestTriangle.h"
-
 namespace restenosis {
 namespace {
 
 constexpr double notWanted = -1.0;
 
-NearestTriangle wallOf(const TriSurface& lumen) {
+std::unique_ptr<NearestTriangle> wallOf(const TriSurface& lumen) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i)
     if (lumen.region[i] == SurfaceRegion::wall || lumen.region[i] == SurfaceRegion::strut)
       triangles.push_back(lumen.triangles[i]);
-  return {lumen.vertices, std::move(triangles)};
+  return std::make_unique<NearestTriangle>(lumen.vertices, std::move(triangles));
 }
 
 }  // namespace
@@ -30,10 +28,11 @@ void WallDistances::add(const Vec3& centre, const std::vector<NearNode>& nodes) 
 
 void WallDistances::find() {
   if (wanted_.empty()) return;
-  const NearestTriangle wall = wallOf(lumen_);
+  if (!wall_) wall_ = wallOf(lumen_);
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t k = 0; k < wanted_.size(); ++k)
-    distance_[wanted_[k].place] = wall.at(wanted_[k].position).distance / lattice_.frame.dx;
+    distance_[wanted_[k].place] = wall_->at(wanted_[k].position).distance / lattice_.frame.dx;
+  wanted_.clear();
 }
 
 void WallDistances::set(std::vector<NearNode>& nodes) const {

@@ -22,6 +22,8 @@ constexpr std::size_t fewestNear = 6;
 /// The stress is taken once a triangle, and for longer ones than this [spacings] once a piece: drawings have
 /// long triangles where a lumen is straight (assumed).
 constexpr double longestPiece = 4.0;
+/// Faces whose nodes are held at a time: all would take a gigabyte in a stented vessel.
+constexpr std::size_t batchOfFaces = 8192;
 /// An edge is near where the normals of faces within this distance [spacings] differ by more than 35 degrees.
 constexpr double edgeReach = 3.0, edgeCosine = 0.819;
 
@@ -40,15 +42,16 @@ class NodeFinder {
   }
 
   /// Fluid nodes within `reach` spacings on the lumen's side of a face, in the order of the lattice.
-  /// Those with a link to the wall weigh `ofLinked` times what others do.
-  std::vector<NearNode> around(const Vec3& centre, const Vec3& normal, double reach, double ofLinked) const {
+  /// Those with a link to the wall weigh `ofLinked` times what others do. Fills `found`.
+  void around(const Vec3& centre, const Vec3& normal, double reach, double ofLinked,
+              std::vector<NearNode>& found) const {
     const Vec3 middle = (centre - frame_.origin) / frame_.dx;
     const auto low = [&](int d) { return std::max(0, static_cast<int>(std::ceil(middle[d] - reach))); };
     const auto high = [&](int d) {
       return std::min(frame_.size[static_cast<std::size_t>(d)] - 1,
                       static_cast<int>(std::floor(middle[d] + reach)));
     };
-    std::vector<NearNode> found;
+    found.clear();
     for (int x = low(0); x <= high(0); ++x)
       for (int y = low(1); y <= high(1); ++y)
         for (int z = low(2); z <= high(2); ++z) {
@@ -59,7 +62,6 @@ class NodeFinder {
           if (place == none) continue;
           found.push_back({place, offset, (linked_[place] ? ofLinked : 1.0) * (1.0 - distance * distance)});
         }
-    return found;
   }
 
  private:
@@ -81,9 +83,8 @@ class EdgeFinder {
   EdgeFinder(const std::vector<Vec3>& centres, const std::vector<Vec3>& normals)
       : tree_(centres), normals_(normals) {}
   bool near(const Vec3& centre, const Vec3& normal, double reach) const {
-    for (const auto& face : tree_.within(centre, reach))
-      if (normals_[face.index].dot(normal) < edgeCosine) return true;
-    return false;
+    return tree_.anyWithin(centre, reach,
+                           [&](std::size_t face) { return normals_[face].dot(normal) < edgeCosine; });
   }
 
  private:
@@ -108,9 +109,27 @@ WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, Str
                        double viscosity)
     : viscosity_(viscosity) {
   listFaces(lumen, rule, lattice.frame.dx);
-  NodesOfFaces found = findNodes(lattice, rule);
-  weigh(found, lumen, lattice);
-  keep(found, lattice.layout.places());
+  decideRules(rule, lattice.frame.dx);
+  const NodeFinder finder(lattice);
+  WallDistances distances(lumen, lattice);
+  NodesOfFaces found(std::min(batchOfFaces, faces_.size()));
+  for (std::size_t begin = 0; begin < faces_.size(); begin += found.size()) {
+    const std::span<Face> batch =
+        std::span(faces_).subspan(begin, std::min(found.size(), faces_.size() - begin));
+#pragma omp parallel for schedule(dynamic, 64)
+    for (std::size_t f = 0; f < batch.size(); ++f) {
+      const double ofLinked = batch[f].ofVelocity() ? 1.0 : linkedWeight;
+      finder.around(batch[f].centre, batch[f].normal, reachOf(batch[f].rule), ofLinked, found[f]);
+      if (found[f].size() < fewestNear)
+        finder.around(batch[f].centre, batch[f].normal, largeRadius, ofLinked, found[f]);
+    }
+    for (std::size_t f = 0; f < batch.size(); ++f)
+      if (batch[f].ofVelocity()) distances.add(batch[f].centre, found[f]);
+    distances.find();
+    weigh(batch, found, distances);
+    keep(batch, found);
+  }
+  numberNodes(lattice.layout.places());
 }
 
 void WallStress::listFaces(const TriSurface& lumen, StressRule rule, double dx) {
@@ -126,42 +145,30 @@ void WallStress::listFaces(const TriSurface& lumen, StressRule rule, double dx) 
   }
 }
 
-WallStress::NodesOfFaces WallStress::findNodes(const LumenLattice& lattice, StressRule rule) {
-  std::vector<Vec3> faceCentres, faceNormals;
-  for (const Face& f : faces_) faceCentres.push_back(f.centre), faceNormals.push_back(f.normal);
-  const NodeFinder finder(lattice);
-  const EdgeFinder edges(faceCentres, faceNormals);
-  NodesOfFaces found(faces_.size());
+void WallStress::decideRules(StressRule rule, double dx) {
+  if (rule != StressRule::adaptive) return;
+  std::vector<Vec3> centres, normals;
+  for (const Face& f : faces_) centres.push_back(f.centre), normals.push_back(f.normal);
+  const EdgeFinder edges(centres, normals);
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
-    if (rule == StressRule::adaptive) {
-      const bool edge = edges.near(face.centre, face.normal, edgeReach * lattice.frame.dx);
-      face.rule = !edge                                 ? StressRule::fitted
-                  : face.region == SurfaceRegion::strut ? StressRule::gradient
-                                                        : StressRule::ratio;
-    }
-    const double ofLinked = face.ofVelocity() ? 1.0 : linkedWeight;
-    found[f] = finder.around(face.centre, face.normal, reachOf(face.rule), ofLinked);
-    if (found[f].size() < fewestNear)
-      found[f] = finder.around(face.centre, face.normal, largeRadius, ofLinked);
+    const bool edge = edges.near(face.centre, face.normal, edgeReach * dx);
+    face.rule = !edge                                 ? StressRule::fitted
+                : face.region == SurfaceRegion::strut ? StressRule::gradient
+                                                      : StressRule::ratio;
   }
-  return found;
 }
 
-void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const {
-  WallDistances distances(lumen, lattice);
-  for (std::size_t f = 0; f < faces_.size(); ++f)
-    if (faces_[f].ofVelocity()) distances.add(faces_[f].centre, found[f]);
-  distances.find();
+void WallStress::weigh(std::span<const Face> faces, NodesOfFaces& found, const WallDistances& distances) {
 #pragma omp parallel for schedule(dynamic, 64)
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
     if (found[f].empty()) continue;
-    switch (faces_[f].rule) {
+    switch (faces[f].rule) {
       case StressRule::gradient:
         distances.set(found[f]);
-        keepFacing(found[f], faces_[f].normal);
-        fitWallDerivative(found[f], faces_[f].normal);
+        keepFacing(found[f], faces[f].normal);
+        fitWallDerivative(found[f], faces[f].normal);
         break;
       case StressRule::ratio:
         distances.set(found[f]);
@@ -176,32 +183,31 @@ void WallStress::weigh(NodesOfFaces& found, const TriSurface& lumen, const Lumen
   }
 }
 
-void WallStress::keep(const NodesOfFaces& found, std::size_t places) {
-  std::vector<std::uint32_t> order(places, 0);  // by place: of nodes_, where it is one
-  std::size_t count = 0;
-  for (const auto& nodes : found) {
-    count += nodes.size();
-    for (const auto& n : nodes) order[n.place] = 1;
+void WallStress::keep(std::span<Face> faces, const NodesOfFaces& found) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    faces[f].first = static_cast<std::uint32_t>(terms_.size());
+    faces[f].count = static_cast<std::uint32_t>(found[f].size());
+    if (found[f].empty()) ++bare_;
+    for (const auto& n : found[f]) terms_.push_back({n.place, static_cast<float>(n.weight)});
   }
+}
+
+void WallStress::numberNodes(std::size_t places) {
+  std::vector<std::uint32_t> number(places, 0);  // by place: of nodes_, where it is one
+  for (const Term& term : terms_) number[term.node] = 1;
   for (std::size_t place = 0; place < places; ++place)
-    if (order[place] != 0) {
-      order[place] = static_cast<std::uint32_t>(nodes_.size());
+    if (number[place] != 0) {
+      number[place] = static_cast<std::uint32_t>(nodes_.size());
       nodes_.push_back(static_cast<std::uint32_t>(place));
     }
-  terms_.reserve(count);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    faces_[f].first = static_cast<std::uint32_t>(terms_.size());
-    faces_[f].count = static_cast<std::uint32_t>(found[f].size());
-    if (found[f].empty()) ++bare_;
-    for (const auto& n : found[f]) terms_.push_back({order[n.place], n.weight});
-  }
+  for (Term& term : terms_) term.node = number[term.node];
 }
 
 Vec3 WallStress::traction(std::size_t face, const std::vector<NodeValue>& values, double pascal) const {
   const Face& f = faces_[face];
   NodeValue s{};
   for (std::uint32_t t = f.first; t < f.first + f.count; ++t)
-    for (std::size_t k = 0; k < s.size(); ++k) s[k] += terms_[t].weight * values[terms_[t].node][k];
+    for (std::size_t k = 0; k < s.size(); ++k) s[k] += double{terms_[t].weight} * values[terms_[t].node][k];
   const Vec3& n = f.normal;
   Vec3 onWall = viscosity_ * Vec3(s[6], s[7], s[8]);
   if (!f.ofVelocity())

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bridge/flow/FlowBackend.h"
@@ -10,6 +11,8 @@
 #include "bridge/flow/lbm/WallFit.h"
 
 namespace restenosis {
+
+class WallDistances;
 
 /// How the stress on a face of the wall follows from the nodes near it.
 enum class StressRule {
@@ -55,17 +58,19 @@ class WallStress {
   };
   struct Term {
     std::uint32_t node;  ///< of nodes_
-    double weight;
+    float weight;        ///< half the memory of a double, of which a stented vessel takes 300 MB
   };
   using NodesOfFaces = std::vector<std::vector<NearNode>>;
 
   void listFaces(const TriSurface& lumen, StressRule rule, double dx);
-  /// Decides each face's rule and finds the nodes it looks at.
-  NodesOfFaces findNodes(const LumenLattice& lattice, StressRule rule);
-  /// Makes the nodes' weights those of the stress, by each face's rule.
-  void weigh(NodesOfFaces& found, const TriSurface& lumen, const LumenLattice& lattice) const;
-  /// Fills nodes_ and terms_.
-  void keep(const NodesOfFaces& found, std::size_t places);
+  /// Decides each face's rule.
+  void decideRules(StressRule rule, double dx);
+  /// Makes the weights of the faces' nodes those of the stress, by each face's rule.
+  static void weigh(std::span<const Face> faces, NodesOfFaces& found, const WallDistances& distances);
+  /// Adds to terms_, by place.
+  void keep(std::span<Face> faces, const NodesOfFaces& found);
+  /// Fills nodes_, and lets terms_ name them.
+  void numberNodes(std::size_t places);
 
   double viscosity_;
   std::vector<Face> faces_;
