@@ -12,19 +12,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from tubes import writeTube
+
 RADIUS, STRUT = 0.9e-3, 0.09e-3  # [m]
 INNER = RADIUS - STRUT
 MEAN_VELOCITY, VISCOSITY, DENSITY = 0.133, 2.7e-6, 1000
-SCENE = """[scene]
-duration = "1 h"
-[vessel]
-lumenSurface = "ring.stl"
-lumenSurfaceUnit = "m"
-[flow]
-meanVelocity = "0.133 m/s"
-[output]
-pictures = false
-"""
 
 
 def profile(length):
@@ -40,32 +32,12 @@ def profile(length):
 
 
 def writeScene(folder, length, slope=0):
-    """scene.toml and ring.stl. The ring's plane is inclined: z rises by `slope` times x, less towards the ends."""
-    folder.mkdir(parents=True, exist_ok=True)
-    sides = 256
-    # A polygon of the circle's area
-    wider = math.sqrt((2 * math.pi / sides) / math.sin(2 * math.pi / sides))
+    """scene.toml and its lumen. The ring's plane is inclined: z rises by `slope` times x, less towards the ends."""
+    def inclined(r, z, cosine, sine):
+        x = r * cosine
+        return x, r * sine, z + slope * x * min(1, max(0, 1 - (abs(z - length / 2) - 0.1e-3) / (length / 2 - 0.2e-3)))
 
-    def point(r, z, side):
-        x, y = (r * wider * f(2 * math.pi * side / sides) for f in (math.cos, math.sin))
-        inclined = min(1, max(0, 1 - (abs(z - length / 2) - 0.1e-3) / (length / 2 - 0.2e-3)))
-        return x, y, z + slope * inclined * x
-
-    triangles = {"wall": [], "strut": []}
-    corners = profile(length)
-    for (r, z, isStrut), (r1, z1, _) in zip(corners, corners[1:]):
-        for side in range(sides):
-            a, b, c, d = point(r, z, side), point(r, z, side + 1), point(r1, z1, side + 1), point(r1, z1, side)
-            triangles["strut" if isStrut else "wall"] += [(a, b, c), (a, c, d)]
-    with open(folder / "ring.stl", "w") as file:
-        for name, own in triangles.items():
-            file.write(f"solid {name}\n")
-            for triangle in own:
-                file.write("facet normal 0 0 0\nouter loop\n"
-                           + "".join("vertex %.9g %.9g %.9g\n" % p for p in triangle) + "endloop\nendfacet\n")
-            file.write(f"endsolid {name}\n")
-    (folder / "scene.toml").write_text(SCENE)
-    return folder / "scene.toml"
+    return writeTube(folder, profile(length), inclined)
 
 
 def strutStress(file):
