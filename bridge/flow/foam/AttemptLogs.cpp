@@ -14,7 +14,7 @@ std::map<fs::path, std::string> attemptLogs(const fs::path& caseFolder, std::str
       if (entry.path().filename().string().starts_with("log."))
         logs[fs::path(place) / entry.path().filename()] = foamLog::read(entry.path());
   };
-  for (const std::string_view kept : {movedMeshLogs, firstAttemptLogs, secondAttemptLogs})
+  for (const std::string_view kept : {movedMeshLogs, oGridLogs, firstAttemptLogs, secondAttemptLogs})
     take(caseFolder / kept, kept);
   take(caseFolder, into);
   return logs;

@@ -103,18 +103,28 @@ FlowSolution FoamBackend::solveMeasured(const TriSurface& lumen, const LumenCase
     }
   }
   Attempt newMesh{.former = former && settings_.warmStart ? &*former : nullptr};
-  if (remeshing_ == Remeshing::onDemand && former) {
+  if (settings_.mesh == "oGrid") {
+    newMesh.keepLogsIn = oGridLogs;
+    try {
+      return attempt(folder, lumen, shape, conditions,
+                     {.mesh = Attempt::Mesh::oGrid, .former = newMesh.former});
+    } catch (const MeshRefused& refused) {
+      reason = refused.reason, details = refused.what();
+    } catch (const FoamStepFailed& failed) {
+      reason = "the O-grid failed a check", details = failed.withLogIn(folder / oGridLogs);
+    }
+  } else if (remeshing_ == Remeshing::onDemand && former) {
     newMesh.keepLogsIn = movedMeshLogs;
     try {
       return attempt(folder, lumen, shape, conditions, {.mesh = Attempt::Mesh::moved, .former = &*former});
-    } catch (const MorphRefused& refused) {
+    } catch (const MeshRefused& refused) {
       reason = refused.reason, details = refused.what();
     } catch (const FoamStepFailed& failed) {
       reason = "the moved mesh failed a check", details = failed.withLogIn(folder / movedMeshLogs);
     }
   }
   FlowSolution solution = solveWithNewMesh(folder, lumen, shape, conditions, newMesh);
-  const bool onDemand = remeshing_ == Remeshing::onDemand;
+  const bool onDemand = remeshing_ == Remeshing::onDemand || settings_.mesh == "oGrid";
   if (onDemand) solution.remeshedBecause = reason;
   if (!details.empty())
     solution.remarks.push_back(
@@ -218,12 +228,15 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
       auto centres = run.morph(how.former->solution.mesh, how.former->folder, surface);
       if (settings_.warmStart) start.emplace(how.former->solution, std::move(centres));
     } else {
-      run.mesh();
+      if (how.mesh == Attempt::Mesh::oGrid)
+        run.layOGrid(surface);
+      else
+        run.mesh();
       if (how.former != nullptr) start.emplace(how.former->solution, how.former->solution.mesh.cellCentres());
     }
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
-    if (moved) takeRegions(solution.wall, surface);
+    if (how.mesh != Attempt::Mesh::made) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(
@@ -233,7 +246,7 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     return solution;
   } catch (const FlowFailed&) {
     throw;
-  } catch (const MorphRefused&) {
+  } catch (const MeshRefused&) {
     throw;
   } catch (const WriteFailed&) {
     throw;

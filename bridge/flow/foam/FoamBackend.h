@@ -52,7 +52,7 @@ class FoamBackend : public FlowBackend {
   };
   /// How a solve is attempted.
   struct Attempt {
-    enum class Mesh : std::uint8_t { made, moved };
+    enum class Mesh : std::uint8_t { made, moved, oGrid };
     Mesh mesh = Mesh::made;
     Effort effort = Effort::normal;
     const Former* former = nullptr;  ///< null: from rest. Not null for Mesh::moved

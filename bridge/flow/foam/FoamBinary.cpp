@@ -21,6 +21,13 @@ std::vector<T> copied(std::string_view bytes) {
   return values;
 }
 
+template <class T>
+std::string listOf(const std::vector<T>& values, std::size_t components) {
+  std::string text = fmt::format("{}\n(", values.size() / components);
+  text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  return text += ')';
+}
+
 }  // namespace
 
 FoamBinary::FoamBinary(const std::filesystem::path& file) : FoamBinary(file, foamLog::read(file)) {}
@@ -75,9 +82,9 @@ std::vector<double> FoamBinary::numbers(std::size_t components) {
 std::vector<std::int32_t> FoamBinary::labels() { return copied<std::int32_t>(list(sizeof(std::int32_t))); }
 
 std::string foamBinaryList(const std::vector<double>& numbers, std::size_t components) {
-  std::string text = fmt::format("{}\n(", numbers.size() / components);
-  text.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
-  return text += ')';
+  return listOf(numbers, components);
 }
+
+std::string foamBinaryList(const std::vector<std::int32_t>& labels) { return listOf(labels, 1); }
 
 }  // namespace restenosis

@@ -35,5 +35,6 @@ class FoamBinary {
 
 /// A binary list as OpenFOAM reads it, of `components` numbers an entry.
 std::string foamBinaryList(const std::vector<double>& numbers, std::size_t components);
+std::string foamBinaryList(const std::vector<std::int32_t>& labels);
 
 }  // namespace restenosis

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <numbers>
 
 #include "bridge/flow/foam/FoamLog.h"
 #include "bridge/flow/foam/FoamRequirements.h"
 #include "bridge/flow/foam/MeshMorph.h"
+#include "bridge/flow/foam/OGrid.h"
 #include "bridge/flow/foam/WallPatch.h"
 #include "bridge/system/AtomicFile.h"
 #include "tissue/parameters/LengthUnits.h"
@@ -27,6 +30,23 @@ constexpr double cornersCut = 0.5;
 /// Struts of which the lumen shows no more than so many faces of cells may be missing in the mesh: tissue has
 /// covered them (assumed).
 constexpr double mostFacesOfLostStruts = 100;
+
+/// Mean thickness of an O-grid's layers over the length of its cells (assumed).
+constexpr double layerOverCell = 0.7;
+constexpr std::array<std::string_view, 1> wallPatches{"wall"};
+
+/// Cells as long and as wide as the core's of another mesh, and layers over the half of the radius that the
+/// square core leaves.
+OGridSize oGridSize(const LumenCase& lumen, const FoamSettings& settings) {
+  const double cell = settings.cellSize, length = lumen.length();
+  const double radius = std::sqrt(lumen.volume / (std::numbers::pi * length));
+  const auto count = [](double distance, double size) {
+    return std::max(1, static_cast<int>(std::lround(distance / size)));
+  };
+  return {.around = 4 * count(0.5 * std::numbers::pi * radius, cell),
+          .layers = count(0.5 * radius, layerOverCell * cell),
+          .along = count(length, cell)};
+}
 }  // namespace
 
 FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
@@ -150,40 +170,56 @@ std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerC
                                  const TriSurface& surface) {
   const auto begin = std::chrono::steady_clock::now();
   if (lumen_.ends != LumenEnds::cut)
-    throw MorphRefused("the lumen does not lie along z", "the mesh's ends cannot be kept in their planes");
+    throw MeshRefused("the lumen does not lie along z", "the mesh's ends cannot be kept in their planes");
   const auto* strut = former.patch("strut");
   meshHasStruts_ = strut != nullptr && strut->faces > 0;
   if (meshHasStruts_ != lumen_.hasStruts())
-    throw MorphRefused("struts have been covered or laid bare altogether", "the mesh's patches do not fit");
+    throw MeshRefused("struts have been covered or laid bare altogether", "the mesh's patches do not fit");
   PolyMesh mesh = former;
   try {
     MeshMorph moved = morphOnto(former, surface);
     const double cell = settings_.wallCell();
     const auto require = [&](double distance, double limit, const char* reason) {
       if (!(distance <= limit * cell))
-        throw MorphRefused(reason,
-                           fmt::format("{:.3g} um, more than {:.3g} um", distance / um, limit * cell / um));
+        throw MeshRefused(reason,
+                          fmt::format("{:.3g} um, more than {:.3g} um", distance / um, limit * cell / um));
     };
     require(moved.movement, settings_.morphMovement, "the wall moved too far");
     require(moved.departure, settings_.morphDeparture, "the moved mesh does not follow the lumen");
     mesh.points = std::move(moved.points);
     copyPolyMesh(formerCase, folder_, mesh.points);
-  } catch (const MorphRefused&) {
+  } catch (const MeshRefused&) {
     throw;
   } catch (const WriteFailed&) {  // a new mesh would need more room
     throw;
   } catch (const std::exception& error) {
-    throw MorphRefused("the mesh could not be moved", error.what());
+    throw MeshRefused("the mesh could not be moved", error.what());
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   solution_.meshSeconds += seconds.count();
   if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
   if (const double angle = checkMesh(); !(angle <= settings_.morphNonOrthogonality))
-    throw MorphRefused(
+    throw MeshRefused(
         "the moved mesh is too non-orthogonal",
         fmt::format("{:.3g} degrees, more than {:.3g}", angle, settings_.morphNonOrthogonality));
   solution_.meshMoved = true;
   return mesh.cellCentres();
+}
+
+void FoamRun::layOGrid(const TriSurface& surface) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (lumen_.ends != LumenEnds::cut)
+    throw MeshRefused("the lumen does not lie along z", "an O-grid's ends are planes of constant z");
+  if (lumen_.hasStruts()) throw MeshRefused("struts are in view", "an O-grid makes ramps of their sides");
+  try {
+    writePolyMesh(folder_, oGrid(surface, oGridSize(lumen_, settings_)), wallPatches);
+  } catch (const std::invalid_argument& error) {
+    throw MeshRefused("an O-grid does not fit the lumen", error.what());
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  solution_.meshSeconds += seconds.count();
+  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
+  checkMesh();
 }
 
 void FoamRun::checkPatches() {

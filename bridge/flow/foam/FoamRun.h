@@ -20,9 +20,10 @@ struct FoamStepFailed : FlowFailed {
   std::string problem;  ///< without the log
 };
 
-/// A mesh that should not follow the lumen; `reason` is a category, without numbers, that can be counted.
-struct MorphRefused : std::runtime_error {
-  MorphRefused(std::string category, const std::string& details)
+/// A mesh that cannot be moved or laid onto the lumen; `reason` is a category, without numbers, that can be
+/// counted.
+struct MeshRefused : std::runtime_error {
+  MeshRefused(std::string category, const std::string& details)
       : std::runtime_error(details), reason(std::move(category)) {}
   std::string reason;
 };
@@ -39,9 +40,11 @@ class FoamRun {
   /// blockMesh, snappyHexMesh, checkMesh; the mesh as expected.
   void mesh();
   /// The mesh of a case that has been solved, moved onto the lumen, and checkMesh; the mesh as expected and
-  /// within the limits of FoamSettings. Returns where its cells are. Throws MorphRefused as well.
+  /// within the limits of FoamSettings. Returns where its cells are. Throws MeshRefused as well.
   std::vector<Vec3> morph(const PolyMesh& former, const std::filesystem::path& formerCase,
                           const TriSurface& surface);
+  /// An O-grid (OGrid.h) and checkMesh; the mesh as expected. Throws MeshRefused as well.
+  void layOGrid(const TriSurface& surface);
   /// simpleFoam, from rest or from another flow; the solution as expected.
   void solve(const FoamStart* start);
   /// What the solver has left in the folder.

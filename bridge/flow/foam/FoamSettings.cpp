@@ -26,6 +26,11 @@ double FoamSettings::wallCell() const { return cellSize / std::exp2(static_cast<
 double FoamSettings::strutCell() const { return cellSize / std::exp2(static_cast<double>(strutLevel)); }
 
 void FoamSettings::describe(ParameterVisitor& p) {
+  p.choice(mesh, {"snappyHexMesh", "oGrid"},
+           {.key = "mesh",
+            .source = "docs/developer/decisions.md",
+            .description = "made by snappyHexMesh, or an O-grid where the lumen lies along z and can be seen "
+                           "from its axis, and else by snappyHexMesh"});
   p.quantity(cellSize, {.key = "cellSize",
                         .unit = "um",
                         .minimum = 0,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "tissue/parameters/ParameterVisitor.h"
@@ -14,6 +15,7 @@ struct FoamSettings {
       "Mesh and solver settings of the OpenFOAM backend; cell sizes, buffer and snapping not given are those "
       "of scene.fidelity";
 
+  std::string mesh = "snappyHexMesh";             ///< or oGrid
   double cellSize = 60e-6;                        ///< cell size in the core of the lumen [m]
   std::int64_t wallLevel = 1;                     ///< the cell size at the wall is cellSize / 2^level
   std::int64_t strutLevel = 2;                    ///< the same at struts

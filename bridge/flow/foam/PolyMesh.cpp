@@ -42,6 +42,25 @@ bool consistent(const PolyMesh& mesh) {
          });
 }
 
+std::string header(std::string_view format, std::string_view kind, std::string_view object) {
+  return fmt::format(
+      "FoamFile\n{{\n    version     2.0;\n    format      {};\n    class       {};\n"
+      "    arch        \"LSB;label=32;scalar=64\";\n    location    \"constant/polyMesh\";\n"
+      "    object      {};\n}}\n\n",
+      format, kind, object);
+}
+
+void writePoints(const fs::path& folder, const std::vector<Vec3>& points) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vec3& p : points) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  atomicWrite(folder / "points", [&](const PieceWriter& write) {
+    write(header("binary", "vectorField", "points"));
+    write(foamBinaryList(coordinates, 3));
+    write("\n");
+  });
+}
+
 }  // namespace
 
 std::size_t PolyMesh::cells() const {
@@ -115,17 +134,27 @@ void copyPolyMesh(const fs::path& fromCase, const fs::path& toCase, const std::v
   fs::create_directories(to);
   for (const char* file : {"faces", "owner", "neighbour", "boundary"})
     fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing);
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
-  for (const Vec3& p : points) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-  atomicWrite(to / "points", [&](const PieceWriter& write) {
-    write(
-        "FoamFile\n{\n    version     2.0;\n    format      binary;\n    class       vectorField;\n"
-        "    arch        \"LSB;label=32;scalar=64\";\n    location    \"constant/polyMesh\";\n"
-        "    object      points;\n}\n\n");
-    write(foamBinaryList(coordinates, 3));
-    write("\n");
-  });
+  writePoints(to, points);
+}
+
+void writePolyMesh(const fs::path& caseFolder, const PolyMesh& mesh,
+                   std::span<const std::string_view> wallPatches) {
+  const fs::path to = caseFolder / meshFolder;
+  fs::create_directories(to);
+  writePoints(to, mesh.points);
+  atomicWrite(to / "faces", header("binary", "faceCompactList", "faces") + foamBinaryList(mesh.faceStart) +
+                                "\n" + foamBinaryList(mesh.faceCorners) + "\n");
+  for (const auto& [name, cells] : {std::pair{"owner", &mesh.owner}, {"neighbour", &mesh.neighbour}})
+    atomicWrite(to / name, header("binary", "labelList", name) + foamBinaryList(*cells) + "\n");
+  std::string boundary =
+      header("ascii", "polyBoundaryMesh", "boundary") + fmt::format("{}\n(\n", mesh.patches.size());
+  for (const auto& patch : mesh.patches)
+    boundary += fmt::format(
+        "    {}\n    {{\n        type            {};\n        nFaces          {};\n"
+        "        startFace       {};\n    }}\n",
+        patch.name, std::ranges::count(wallPatches, patch.name) > 0 ? "wall" : "patch", patch.faces,
+        patch.start);
+  atomicWrite(to / "boundary", boundary + ")\n");
 }
 
 }  // namespace restenosis
