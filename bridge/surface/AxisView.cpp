@@ -51,12 +51,14 @@ class RaysOfPlane {
     const auto first = static_cast<long>(std::floor(begin / step)) - 1;
     const auto last = static_cast<long>(std::ceil((begin + width) / step)) + 1;
     for (long i = first; i <= last; ++i) {
-      const double angle = static_cast<double>(i) * step;
-      const Vec3 ray(std::cos(angle), std::sin(angle), 0.0);
-      if (cross(a, ray) < 0.0 || cross(ray, b) <= 0.0 || ray.dot(a + b) <= 0.0) continue;
       const auto n = static_cast<long>(nearest_.size());
       const auto at = static_cast<std::size_t>(((i % n) + n) % n);
-      const double distance = turn / cross(ray, b - a);
+      const double angle = static_cast<double>(at) * step;
+      const Vec3 ray(std::cos(angle), std::sin(angle), 0.0);
+      // The same expression for either end, so that rounding puts a ray into one of two pieces that meet
+      const double before = cross(a, ray), behind = cross(b, ray);
+      if (before < 0.0 || behind >= 0.0 || ray.dot(a + b) <= 0.0) continue;
+      const double distance = ray.dot(a + before / (before - behind) * (b - a));
       nearest_[at] = std::min(nearest_[at], distance);
       ++hits_[at];
     }

@@ -43,9 +43,9 @@ class Calibration : public ::testing::Test {
     writeText(folder / "powers", powers);
     fs::permissions(folder / "powers", fs::perms::owner_all);
   }
-  ProcessEnd calibrate(const fs::path& study) const {
+  ProcessEnd calibrate(const fs::path& study, const std::string& within = "0.05") const {
     return Process({script, study.string(), "-o", (folder / "fit").string(), "--program",
-                    (folder / "powers").string()},
+                    (folder / "powers").string(), "--within", within},
                    folder.path())
         .wait(std::chrono::minutes(2));
   }
@@ -67,6 +67,11 @@ TEST_F(Calibration, FindsTheParametersOfAKnownLaw) {
   EXPECT_NEAR(0.1 / 3 * std::pow(rate, 0.9) * std::pow(decay, 14.0 / 30), 0.20, 0.005);
   EXPECT_NEAR(0.1 / 3 * std::pow(rate, 0.9) * std::pow(decay, 28.0 / 30), 0.42, 0.01);
   EXPECT_NEAR(found("extracellularMatrix.rate"), std::pow(0.5 / 0.3, 2), 0.1);
+}
+
+TEST_F(Calibration, EndsWithATrialThatMeetsEveryTarget) {
+  ASSERT_EQ(calibrate(study, "100").status, 0);
+  EXPECT_EQ(runs(), 3u) << "the start, by three seeds, and no derivatives";
 }
 
 TEST_F(Calibration, MakesNoRunTwice) {

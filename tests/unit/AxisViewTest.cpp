@@ -29,7 +29,7 @@ TEST(AxisView, TheAxisJoinsTheEnds) {
       (view.axis(4) - Vec3(1e-3 + 0.3 * support::vesselLength, -2e-3, 5e-3 + support::vesselLength)).norm(),
       0.0, 1e-9);
   for (int k = 0; k <= 4; ++k)
-    for (int a = 0; a < 24; ++a) EXPECT_NEAR(view.radius(k, a), 0.9e-3, 1e-6);
+    for (int a = 0; a < 24; ++a) EXPECT_NEAR(view.radius(k, a), 0.9e-3, 1e-6) << k << " " << a;
 }
 
 TEST(AxisView, WhatLiesBehindIsCounted) {
