@@ -39,7 +39,9 @@ TEST(FoamOGrid, poiseuilleAndAgainFromTheFormerFlow) {
 TEST(FoamOGrid, strutsInViewAreMeshedBySnappyHexMesh) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const TemporaryFolder scratch;
-  FoamBackend backend(withOGrid());
+  FoamSettings settings = withOGrid();
+  settings.cellSize = 150e-6;
+  FoamBackend backend(settings);
   const auto s =
       backend.solve(stentedTube(vesselRadius, vesselLength, 90e-6), vesselConditions(), scratch / "case");
   EXPECT_EQ(s.remeshedBecause, "struts are in view");
