@@ -7,8 +7,8 @@
 
 namespace restenosis {
 
-/// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, with an O-grid, and
-/// the first and the second with a mesh by snappyHexMesh.
+/// Folders of a case that keep the logs of an attempt given up: with the former mesh moved, with an O-grid,
+/// and the first and the second with a mesh by snappyHexMesh.
 inline constexpr std::string_view movedMeshLogs = "movedMesh", oGridLogs = "oGrid",
                                   firstAttemptLogs = "firstAttempt", secondAttemptLogs = "secondAttempt";
 
