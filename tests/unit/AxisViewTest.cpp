@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bridge/surface/AxisView.h"
+#include "bridge/flow/foam/AxisView.h"
 #include "tests/support/Constants.h"
 #include "tests/support/TubeSurface.h"
 

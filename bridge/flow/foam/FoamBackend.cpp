@@ -236,7 +236,7 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     }
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
-    if (how.mesh != Attempt::Mesh::made) takeRegions(solution.wall, surface);
+    if (moved) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
       solution.remarks.push_back(

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -33,7 +32,6 @@ constexpr double mostFacesOfLostStruts = 100;
 
 /// Mean thickness of an O-grid's layers over the length of its cells (assumed).
 constexpr double layerOverCell = 0.7;
-constexpr std::array<std::string_view, 1> wallPatches{"wall"};
 
 /// Cells as long and as wide as the core's of another mesh, and layers over the half of the radius that the
 /// square core leaves.
@@ -212,7 +210,7 @@ void FoamRun::layOGrid(const TriSurface& surface) {
     throw MeshRefused("the lumen does not lie along z", "an O-grid's ends are planes of constant z");
   if (lumen_.hasStruts()) throw MeshRefused("struts are in view", "an O-grid makes ramps of their sides");
   try {
-    writePolyMesh(folder_, oGrid(surface, oGridSize(lumen_, settings_)), wallPatches);
+    writePolyMesh(folder_, oGrid(surface, oGridSize(lumen_, settings_)));
   } catch (const std::invalid_argument& error) {
     throw MeshRefused("an O-grid does not fit the lumen", error.what());
   }

@@ -28,7 +28,7 @@ double FoamSettings::strutCell() const { return cellSize / std::exp2(static_cast
 void FoamSettings::describe(ParameterVisitor& p) {
   p.choice(mesh, {"snappyHexMesh", "oGrid"},
            {.key = "mesh",
-            .source = "docs/developer/decisions.md",
+            .source = "docs/model/flow.md",
             .description = "made by snappyHexMesh, or an O-grid where the lumen lies along z and can be seen "
                            "from its axis, and else by snappyHexMesh"});
   p.quantity(cellSize, {.key = "cellSize",

@@ -9,7 +9,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "bridge/surface/AxisView.h"
+#include "bridge/flow/foam/AxisView.h"
 
 namespace restenosis {
 namespace {

@@ -15,7 +15,7 @@ struct OGridSize {
 /// A structured mesh of a lumen along z: a square core of hexahedra and layers around it, whose corners lie
 /// on rays from the line between the centres of the ends. Its wall is where these rays leave the lumen, each
 /// taken as the mean of nine around it, so that it follows what the mesh can show; what lies in an undercut
-/// is left out, and steps are ramps of one cell. Patches: inlet, outlet, and wall, which has the struts.
+/// is left out, and steps are ramps of one cell. Patches: inlet, outlet and wall.
 ///
 /// Throws std::invalid_argument where the lumen cannot be seen from that line, or has undercuts in more than
 /// a hundredth of its sides.

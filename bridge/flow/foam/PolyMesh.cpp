@@ -137,8 +137,7 @@ void copyPolyMesh(const fs::path& fromCase, const fs::path& toCase, const std::v
   writePoints(to, points);
 }
 
-void writePolyMesh(const fs::path& caseFolder, const PolyMesh& mesh,
-                   std::span<const std::string_view> wallPatches) {
+void writePolyMesh(const fs::path& caseFolder, const PolyMesh& mesh) {
   const fs::path to = caseFolder / meshFolder;
   fs::create_directories(to);
   writePoints(to, mesh.points);
@@ -152,8 +151,7 @@ void writePolyMesh(const fs::path& caseFolder, const PolyMesh& mesh,
     boundary += fmt::format(
         "    {}\n    {{\n        type            {};\n        nFaces          {};\n"
         "        startFace       {};\n    }}\n",
-        patch.name, std::ranges::count(wallPatches, patch.name) > 0 ? "wall" : "patch", patch.faces,
-        patch.start);
+        patch.name, patch.name == "wall" ? "wall" : "patch", patch.faces, patch.start);
   atomicWrite(to / "boundary", boundary + ")\n");
 }
 

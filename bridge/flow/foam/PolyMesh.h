@@ -53,9 +53,8 @@ PolyMesh parsePolyMesh(const std::filesystem::path& folder, PolyMeshFiles files)
 void copyPolyMesh(const std::filesystem::path& fromCase, const std::filesystem::path& toCase,
                   const std::vector<Vec3>& points);
 
-/// Writes constant/polyMesh of a case. `wallPatches` are walls, the others patches. Throws WriteFailed or
+/// Writes constant/polyMesh of a case; its patch `wall` is a wall. Throws WriteFailed or
 /// std::filesystem::filesystem_error where that fails.
-void writePolyMesh(const std::filesystem::path& caseFolder, const PolyMesh& mesh,
-                   std::span<const std::string_view> wallPatches);
+void writePolyMesh(const std::filesystem::path& caseFolder, const PolyMesh& mesh);
 
 }  // namespace restenosis

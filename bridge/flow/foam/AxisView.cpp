@@ -1,4 +1,4 @@
-#include "bridge/surface/AxisView.h"
+#include "bridge/flow/foam/AxisView.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "bridge/flow/LumenShape.h"
+
 namespace restenosis {
 namespace {
 
@@ -14,19 +16,6 @@ constexpr double unseen = std::numeric_limits<double>::infinity();
 /// The first and the last plane are cut so far from the ends, over the distance of planes: on them, the
 /// triangles of the sides and of the ends meet.
 constexpr double fromEnds = 1e-3;
-
-Vec3 centreOf(const TriSurface& lumen, SurfaceRegion end) {
-  Vec3 sum = Vec3::Zero();
-  double area = 0.0;
-  for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
-    if (lumen.region[t] == end) {
-      const double own = lumen.areaVector(t).norm();
-      sum += own * lumen.centre(t);
-      area += own;
-    }
-  if (!(area > 0.0)) throw std::invalid_argument("the lumen lacks an end");
-  return sum / area;
-}
 
 /// Where an edge meets a plane of constant z; the same for either of its directions.
 Vec3 onPlane(const TriSurface& lumen, std::uint32_t from, std::uint32_t to, double z) {
@@ -76,8 +65,8 @@ class RaysOfPlane {
 AxisView::AxisView(const TriSurface& lumen, int planes, int angles)
     : planes_(planes),
       angles_(angles),
-      inlet_(centreOf(lumen, SurfaceRegion::inlet)),
-      outlet_(centreOf(lumen, SurfaceRegion::outlet)),
+      inlet_(lumenEnd(lumen, SurfaceRegion::inlet).centre),
+      outlet_(lumenEnd(lumen, SurfaceRegion::outlet).centre),
       radius_(static_cast<std::size_t>(planes + 1) * static_cast<std::size_t>(angles)) {
   const double step = (outlet_.z() - inlet_.z()) / planes;
   const auto cutAt = [&](int plane) {

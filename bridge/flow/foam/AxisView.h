@@ -10,10 +10,10 @@ namespace restenosis {
 /// constant z, by angle. A lumen with undercuts is seen as what lies in front of them.
 class AxisView {
  public:
-  /// @param lumen closed, its inlet a plane of constant z below its outlet
+  /// @param lumen closed, its ends planes of constant z, the inlet below the outlet
   /// @param planes pieces of equal length between the ends [1]: there is one plane more
   /// @param angles rays in each plane, from the x axis on
-  /// Throws std::invalid_argument where the line leaves the lumen.
+  /// Throws std::invalid_argument where the line leaves the lumen, or an end is no such plane.
   AxisView(const TriSurface& lumen, int planes, int angles);
 
   int planes() const { return planes_; }
