@@ -1,7 +1,6 @@
 #include "bridge/coupling/parts/RecordPart.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "bridge/output/LumenWriter.h"
 #include "bridge/output/TissueWriter.h"
@@ -13,8 +12,17 @@ namespace restenosis {
 
 namespace {
 
-/// Stretch of the vessel that neointima is averaged over [m]: the stented one, or all of it.
-std::pair<double, double> measuredSection(const std::optional<Stent>& stent, double length) {
+/// Tissue this far beside the outermost struts' centrelines belongs to the stented section, in widths of the
+/// widest strut (assumed).
+constexpr double marginWidths = 2.5;
+
+/// A stretch of the vessel [m].
+struct Stretch {
+  double from, to;
+};
+
+/// Between the centrelines of the outermost struts, and a margin; or all of the vessel.
+Stretch stented(const std::optional<Stent>& stent, double length, double marginWidth) {
   if (!stent || stent->segments.empty()) return {0.0, length};
   double from = length, to = 0.0, width = 0.0;
   for (const auto& segment : stent->segments) {
@@ -22,10 +30,7 @@ std::pair<double, double> measuredSection(const std::optional<Stent>& stent, dou
     to = std::max({to, segment.a.z(), segment.b.z()});
     width = std::max(width, segment.width);
   }
-  // The tissue beside the outermost struts belongs to the stented section (assumed: 2.5 strut widths from
-  // their centre).
-  const double margin = 2.5 * width;
-  return {std::max(0.0, from - margin), std::min(length, to + margin)};
+  return {std::max(0.0, from - marginWidth * width), std::min(length, to + marginWidth * width)};
 }
 
 }  // namespace
@@ -124,7 +129,7 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
 void RecordPart::measureLumen(TimeSeriesRow& row) const {
   if (scene_.hasLoadedLumen()) return;
   const LumenState& lumen = *lumen_;
-  const auto [from, to] = measuredSection(stent_, wall_->length);
+  const auto [from, to] = stented(stent_, wall_->length, marginWidths);
   row.minLumenArea = lumen.present.minimalArea(from, to);
   if (!scene_.hasTissue()) return;
   const Neointima neointima = measureNeointima(lumen.afterDeployment, lumen.present, from, to);
@@ -134,7 +139,9 @@ void RecordPart::measureLumen(TimeSeriesRow& row) const {
   if (const Histology histology(wall_->agents, wall_->cellRadius);
       histology.possible() && !lumen.insideIelAfterDeployment.empty()) {
     const auto sections = histology.sections(lumen.present, lumen.insideIelAfterDeployment);
-    const HistologySection mean = Histology::mean(lumen.present, sections, from, to);
+    // Pathologists cut through the stent
+    const Stretch cut = stented(stent_, wall_->length, 0.0);
+    const HistologySection mean = Histology::mean(lumen.present, sections, cut.from, cut.to);
     row.intimaArea = mean.intimaArea, row.mediaArea = mean.mediaArea;
     row.relativeIntimaArea = mean.relativeIntimaArea;
     row.intimaCells = mean.intimaCells, row.intimaInCycle = mean.inCycle();
