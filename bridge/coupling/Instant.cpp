@@ -17,6 +17,8 @@ Instant instantOf(const Scene& scene, std::uint32_t step) {
   now.last = step == stepCount(scene.scene);
   now.endsDay = nextToMultiple(now.time, secondsPerDay, scene.scene.step);
   now.recorded = now.last || step == 0 || nextToMultiple(now.time, scene.output.interval, scene.scene.step);
+  now.takesLumen =
+      now.recorded || now.endsDay || nextToMultiple(now.time, scene.coupling.lumenInterval, scene.scene.step);
   return now;
 }
 

@@ -11,6 +11,7 @@ struct Instant {
   std::uint32_t step = 0;  ///< steps made before this one
   double time = 0;         ///< at the start of the step [s]
   bool recorded = false;   ///< whether the state is recorded in this step
+  bool takesLumen = true;  ///< whether the lumen is taken anew: see `coupling.lumenInterval`
   bool endsDay = false;    ///< whether a day of growth is over: see LumenPart
   bool last = false;  ///< whether the run ends here: the state is brought up to date, but not carried further
 };

@@ -64,6 +64,14 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                               .maximum = 1000,
                               .source = "assumed",
                               .description = "movement of the lumen below which the last flow still holds"});
+  p.quantity(lumenInterval,
+             {.key = "lumenInterval",
+              .unit = "h",
+              .minimum = 0,
+              .maximum = 240,
+              .source = "docs/results/coupling.md",
+              .description = "simulated time between two looks at the lumen, beside recorded steps and the "
+                             "first solve; 0: in every step"});
   p.quantity(undecidedMargin,
              {.key = "undecidedMargin",
               .minimum = 0,

@@ -32,6 +32,7 @@ struct CouplingParameters {
 
   std::string schedule = "onChange";        ///< see scheduleMode
   double lumenTolerance = 5e-6;             ///< [m]
+  double lumenInterval = 0;                 ///< [s]
   double undecidedMargin = 2.5;             ///< undecided is a cell below this times the arresting stress
   double undecidedShare = 0.03;             ///< of these cells, where the lumen may have moved further
   std::string stressUpdate = "firstOrder";  ///< see stressFollowsLumen

@@ -57,6 +57,19 @@ TEST_F(FlowPartTest, isDueFirstAndThenWhenTheLumenHasMoved) {
   EXPECT_TRUE(part.inputsChanged({}).yes);
 }
 
+TEST_F(FlowPartTest, waitsForTheNextLookAtTheLumenOnceItIsSolved) {
+  const LumenPart lumen(quantities, extraction);
+  const Instant between{.takesLumen = false};
+  EXPECT_TRUE(lumen.inputsChanged(between).yes);
+  EXPECT_TRUE(part.inputsChanged(between).yes);
+  part.run(between);
+  EXPECT_EQ(lumen.inputsChanged(between).reason, "lumenInterval is not over");
+  quantities.flow.settings = {{"lbm.dx", "1e-05"}};
+  EXPECT_EQ(part.inputsChanged(between).reason, "lumenInterval is not over");
+  EXPECT_TRUE(lumen.inputsChanged({}).yes);
+  EXPECT_TRUE(part.inputsChanged({}).yes);
+}
+
 TEST_F(FlowPartTest, isDueWhenItHasOtherSettings) {
   part.run({});
   quantities.flow.settings = {{"lbm.dx", "1e-05"}};

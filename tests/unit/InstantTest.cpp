@@ -24,6 +24,19 @@ TEST(Instant, KnowsDaysRecordsAndTheLastStep) {
   EXPECT_TRUE(at(7).recorded);
 }
 
+TEST(Instant, TakesTheLumenAtMultiplesOfItsIntervalAndWhereItIsRecorded) {
+  Scene scene;
+  scene.scene.duration = 2 * secondsPerDay;
+  scene.scene.step = 3600;
+  scene.output.interval = 2 * secondsPerDay;
+  EXPECT_TRUE(instantOf(scene, 1).takesLumen) << "by default in every step";
+  scene.coupling.lumenInterval = 5 * 3600;
+  EXPECT_FALSE(instantOf(scene, 1).takesLumen);
+  EXPECT_TRUE(instantOf(scene, 5).takesLumen);
+  EXPECT_TRUE(instantOf(scene, 24).takesLumen) << "the end of a day";
+  EXPECT_TRUE(instantOf(scene, 48).takesLumen) << "recorded";
+}
+
 TEST(Instant, OfAMultipleHalfwayBetweenTwoStepsTheFirstIsTaken) {
   EXPECT_TRUE(nextToMultiple(10, 15, 10));
   EXPECT_FALSE(nextToMultiple(20, 15, 10));

@@ -24,6 +24,8 @@ std::string whenFlowIsSolved(const Scene& scene) {
       "stress that arrests them",
       ArrestRules(biologySettings(scene)).whenWssIsRead(), scene.coupling.lumenTolerance * 1e6,
       scene.coupling.undecidedShare * 100);
+  if (scene.coupling.lumenInterval > scene.scene.step)
+    text += fmt::format(", looked at every {:g} h", scene.coupling.lumenInterval / 3600);
   if (scene.endothelium && nothingCanBeExposed(scene))
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "

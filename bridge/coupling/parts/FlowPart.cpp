@@ -48,8 +48,10 @@ FlowPart::FlowPart(Quantities& quantities, const Scene& scene, const ResultsFold
       backend_(std::move(backend)),
       settings_(flowSettings(scene)) {}
 
-Verdict FlowPart::inputsChanged(const Instant&) const {
-  if (flow_->solves == 0 || settings_ != flow_->settings) return Verdict::run();
+Verdict FlowPart::inputsChanged(const Instant& now) const {
+  if (flow_->solves == 0) return Verdict::run();
+  if (!now.takesLumen) return Verdict::skip("lumenInterval is not over");
+  if (settings_ != flow_->settings) return Verdict::run();
   if (scene_.hasLoadedLumen()) return Verdict::skip("a loaded lumen does not change");
   const auto moved = displacement(flow_->lumen, lumen_->present);
   if (moved.robust > scene_.coupling.lumenTolerance) return Verdict::run();

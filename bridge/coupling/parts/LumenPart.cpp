@@ -15,7 +15,9 @@ std::unique_ptr<LumenPart> LumenPart::make(const PartContext& context) {
   return std::make_unique<LumenPart>(context.run.quantities, context.run.extraction);
 }
 
-Verdict LumenPart::inputsChanged(const Instant&) const {
+Verdict LumenPart::inputsChanged(const Instant& now) const {
+  // The first solve is of the lumen of its step
+  if (!now.takesLumen && flow_->solves > 0) return Verdict::skip("lumenInterval is not over");
   if (hasNewInput() || lumen_->closed) return Verdict::run();
   return Verdict::skip("no agent moved");
 }

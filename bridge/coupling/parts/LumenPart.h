@@ -32,6 +32,7 @@ class LumenPart : public Part {
 
   Read<Quantity::agentPositions> positions_ = read<Quantity::agentPositions>();
   Write<Quantity::lumen> lumen_ = write<Quantity::lumen>();
+  Read<Quantity::wallTraction> flow_ = observe<Quantity::wallTraction>();
   LumenExtraction& extraction_;
 };
 

@@ -14,7 +14,7 @@ def known(series, name):
 
 
 def mark_solves(axes, series):
-    """A tick on the lower edge at each recorded state since whose predecessor the flow was solved."""
+    """A tick on the lower edge at each recorded state before which the flow was solved anew."""
     solved = series["day"][series["flowSolved"] > 0]
     for axis in axes:
         for day in solved:

@@ -8,7 +8,7 @@ from nothing_to_draw import NothingToDraw
 
 PICTURES = {
     "growth.png": "Neointima, lumen, coverage and wall shear stress over the days. "
-    "A tick marks a recorded state since whose predecessor the flow was solved at least once; "
+    "A tick marks a recorded state before which the flow was solved anew; "
     "flowSolves in timeSeries.csv counts all solves.",
     "crossCheck.png": "Wall shear stress by another method against the run's own, and what it would have decided.",
     "section.png": "The wall cut open on the first and the last day.",
