@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bridge/coupling/StentedSection.h"
 #include "bridge/output/LumenWriter.h"
 #include "bridge/output/TissueWriter.h"
 #include "bridge/sampling/WssStatistics.h"
@@ -9,31 +10,6 @@
 #include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
-
-namespace {
-
-/// Tissue this far beside the outermost struts' centrelines belongs to the stented section, in widths of the
-/// widest strut (assumed).
-constexpr double marginWidths = 2.5;
-
-/// A stretch of the vessel [m].
-struct Stretch {
-  double from, to;
-};
-
-/// Between the centrelines of the outermost struts, and a margin; or all of the vessel.
-Stretch stented(const std::optional<Stent>& stent, double length, double marginWidth) {
-  if (!stent || stent->segments.empty()) return {0.0, length};
-  double from = length, to = 0.0, width = 0.0;
-  for (const auto& segment : stent->segments) {
-    from = std::min({from, segment.a.z(), segment.b.z()});
-    to = std::max({to, segment.a.z(), segment.b.z()});
-    width = std::max(width, segment.width);
-  }
-  return {std::max(0.0, from - marginWidth * width), std::min(length, to + marginWidth * width)};
-}
-
-}  // namespace
 
 std::vector<PlannedPart> RecordPart::explain(const Scene&) { return {}; }
 
@@ -129,7 +105,7 @@ TimeSeriesRow RecordPart::row(const Instant& now) const {
 void RecordPart::measureLumen(TimeSeriesRow& row) const {
   if (scene_.hasLoadedLumen()) return;
   const LumenState& lumen = *lumen_;
-  const auto [from, to] = stented(stent_, wall_->length, marginWidths);
+  const auto [from, to] = stentedSection(stent_, wall_->length);
   row.minLumenArea = lumen.present.minimalArea(from, to);
   if (!scene_.hasTissue()) return;
   const Neointima neointima = measureNeointima(lumen.afterDeployment, lumen.present, from, to);
@@ -139,8 +115,7 @@ void RecordPart::measureLumen(TimeSeriesRow& row) const {
   if (const Histology histology(wall_->agents, wall_->cellRadius);
       histology.possible() && !lumen.insideIelAfterDeployment.empty()) {
     const auto sections = histology.sections(lumen.present, lumen.insideIelAfterDeployment);
-    // Pathologists cut through the stent
-    const Stretch cut = stented(stent_, wall_->length, 0.0);
+    const Section cut = histologySection(stent_, wall_->length);
     const HistologySection mean = Histology::mean(lumen.present, sections, cut.from, cut.to);
     row.intimaArea = mean.intimaArea, row.mediaArea = mean.mediaArea;
     row.relativeIntimaArea = mean.relativeIntimaArea;
