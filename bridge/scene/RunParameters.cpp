@@ -69,7 +69,7 @@ void CouplingParameters::describe(ParameterVisitor& p) {
               .unit = "h",
               .minimum = 0,
               .maximum = 240,
-              .source = "docs/results/coupling.md",
+              .source = "docs/model/coupling.md",
               .description = "simulated time between two looks at the lumen, beside recorded steps and the "
                              "first solve; 0: in every step"});
   p.quantity(undecidedMargin,
