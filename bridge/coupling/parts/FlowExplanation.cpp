@@ -25,7 +25,7 @@ std::string whenFlowIsSolved(const Scene& scene) {
       ArrestRules(biologySettings(scene)).whenWssIsRead(), scene.coupling.lumenTolerance * 1e6,
       scene.coupling.undecidedShare * 100);
   if (scene.coupling.lumenInterval > scene.scene.step)
-    text += fmt::format(", looked at every {:g} h", scene.coupling.lumenInterval / 3600);
+    text += fmt::format("; the lumen is looked at every {:g} h", scene.coupling.lumenInterval / 3600);
   if (scene.endothelium && nothingCanBeExposed(scene))
     text +=
         "; the IEL is intact, so no cell is exposed, none is covered, and the flow is expected never to be "
