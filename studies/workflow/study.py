@@ -1,0 +1,126 @@
+"""A study: the runs that a study.toml asks for, and what they have written. studies/README.md has its keys."""
+import csv
+import itertools
+import json
+import re
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build/release/restenosisFoam"
+ENDED = ("finished", "occluded")
+# Keys of a study: kind, and what holds without it. What has no such value must be there.
+KEYS = {"title": (str, ""), "scenes": (list, None), "seeds": (list, [1]), "threads": (int, 1), "ranks": (int, 1),
+        "memory_MiB": (int, 2048), "columns": (list, None), "days": (list, None), "settings": (dict, {}),
+        "grid": (dict, {})}
+
+
+class WrongStudy(Exception):
+    """What is wrong with a study, for people."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run of a study."""
+    scene: Path
+    seed: int
+    point: tuple  # (key, value) of the grid
+    settings: tuple  # (key, value) of every run
+
+    @property
+    def group(self):
+        """What runs that differ in their seed alone have in common."""
+        return " ".join([self.scene.stem, *(f"{key}={value}" for key, value in self.point)])
+
+    @property
+    def name(self):
+        """Of its folder."""
+        return re.sub(r"[^\w.=+-]+", "_", f"{self.group} seed{self.seed}")
+
+    def options(self):
+        """What sets the run's scene apart from the file."""
+        return [word for key, value in (*self.settings, *self.point, ("scene.seed", self.seed))
+                for word in ("--set", f"{key}={value}")]
+
+
+class Study:
+    """A study.toml, checked."""
+
+    def __init__(self, file):
+        self.file = Path(file).resolve()
+        try:
+            given = tomllib.loads(self.file.read_text())
+        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+            raise WrongStudy(f"{file}: {getattr(error, 'strerror', None) or error}") from error
+        for key in given:
+            if key not in KEYS:
+                raise WrongStudy(f"{file}: no such key: '{key}'; a study has: {', '.join(KEYS)}")
+        for key, (kind, default) in KEYS.items():
+            value = given.get(key, default)
+            if value is None:
+                raise WrongStudy(f"{file}: '{key}' is missing")
+            if not isinstance(value, kind) or isinstance(value, bool):
+                raise WrongStudy(f"{file}: '{key}' is not a {kind.__name__}")
+            if default in (None, [1]) and not value:
+                raise WrongStudy(f"{file}: '{key}' is empty")
+            setattr(self, key, value)
+        self._check()
+        self.runs = self._runs()
+
+    def _check(self):
+        for key, kinds, what in (("scenes", str, "names of files"), ("seeds", int, "whole numbers"),
+                                 ("columns", str, "columns of timeSeries.csv"), ("days", (int, float), "numbers")):
+            if not all(isinstance(value, kinds) and not isinstance(value, bool) for value in getattr(self, key)):
+                raise WrongStudy(f"{self.file}: '{key}' must be {what}")
+        for key in ("threads", "ranks", "memory_MiB"):
+            if getattr(self, key) < 1:
+                raise WrongStudy(f"{self.file}: '{key}' must be at least 1")
+        for key, values in self.grid.items():
+            if not isinstance(values, list) or not values:
+                raise WrongStudy(f"{self.file}: '{key}' of the grid must be a list of values")
+        for key in (*self.settings, *self.grid):
+            if key == "scene.seed":
+                raise WrongStudy(f"{self.file}: the seeds are given by 'seeds', not by 'scene.seed'")
+            if key in self.settings and key in self.grid:
+                raise WrongStudy(f"{self.file}: '{key}' is in [settings] and in [grid]")
+        for scene in self.scenes:
+            if not (self.file.parent / scene).is_file():
+                raise WrongStudy(f"{self.file}: no such scene: {self.file.parent / scene}")
+
+    def _runs(self):
+        def words(values):
+            return [str(value).lower() if isinstance(value, bool) else str(value) for value in values]
+
+        settings = tuple(zip(self.settings, words(self.settings.values())))
+        points = [tuple(zip(self.grid, values)) for values in itertools.product(*map(words, self.grid.values()))]
+        # Seeds outermost: the first results are one of each kind
+        runs = {}
+        for seed, scene, point in itertools.product(self.seeds, self.scenes, points):
+            run = Run((self.file.parent / scene).resolve(), seed, point, settings)
+            if run.name in runs:
+                raise WrongStudy(f"{self.file}: two runs are called {run.name}")
+            runs[run.name] = run
+        return runs
+
+
+def read_rows(folder):
+    """timeSeries.csv of a run that has ended: {column: number, or None where it is empty}, by recorded step."""
+    summary = json.loads((folder / "summary.json").read_text())
+    if summary["status"] not in ENDED:
+        raise WrongStudy(f"{folder}: the run has not ended: {summary['status']}")
+    with open(folder / "timeSeries.csv", newline="") as file:
+        return [{column: float(text) if text else None for column, text in row.items()} for row in csv.DictReader(file)]
+
+
+def at_day(rows, column, day):
+    """A column on a day, on the line between two records; before the first and after the last as on them."""
+    if column not in rows[0]:
+        raise WrongStudy(f"timeSeries.csv has no column '{column}'; it has: {', '.join(rows[0])}")
+    known = [(row["day"], row[column]) for row in rows if row[column] is not None]
+    if not known:
+        return None
+    for (before, first), (after, second) in itertools.pairwise(known):
+        if before <= day <= after:
+            return first + (second - first) * (day - before) / (after - before)
+    return known[0][1] if day < known[0][0] else known[-1][1]

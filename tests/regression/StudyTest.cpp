@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/WholeProgram.h"
+
+namespace restenosis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Studies of small runs, and the scripts that start and collect them.
+class Studies : public WholeProgram {
+ protected:
+  Studies() { scene("tiny", tinyScene); }
+  ProcessEnd start(const std::string& study) const {
+    writeText(folder / "study.toml", study);
+    return Process({RESTENOSIS_SOURCE_DIR "/studies/start", "study.toml", "-o", "out", "--program",
+                    RESTENOSIS_PROGRAM},
+                   folder.path())
+        .wait(patience);
+  }
+  ProcessEnd script(const std::string& name) const {
+    return Process({"/usr/bin/python3", RESTENOSIS_SOURCE_DIR "/studies/workflow/" + name, "../study.toml"},
+                   folder / "out")
+        .wait(patience);
+  }
+  static constexpr std::string_view study = R"(title = "Two lengths of G1"
+scenes = ["tiny.toml"]
+seeds = [1, 2]
+columns = ["smc"]
+days = [0, 0.25, 4, 9]
+[settings]
+"scene.duration" = "1 d"
+[grid]
+"cellCycle.g1Mean" = ["12 h", "16 h"]
+)";
+};
+
+TEST_F(Studies, WhatIsWrongIsNamedAndNothingIsWritten) {
+  const auto expectRefused = [&](const std::string& wrong, const std::string& says) {
+    const ProcessEnd end = start(wrong);
+    EXPECT_EQ(end.status, 2) << toString(end);
+    EXPECT_NE(end.err.find(says), std::string::npos) << "expected: " << says << '\n' << toString(end);
+    EXPECT_FALSE(exists("out"));
+  };
+  expectRefused(with(study, "seeds", "seedz"), "no such key: 'seedz'");
+  expectRefused(with(study, "[1, 2]", "[]"), "'seeds' is empty");
+  expectRefused(with(study, "[1, 2]", "[1.5]"), "'seeds' must be whole numbers");
+  expectRefused(with(study, "[1, 2]", "[1, 1]"), "two runs are called tiny_cellCycle.g1Mean=12_h_seed1");
+  expectRefused(with(study, "tiny.toml", "other.toml"), "no such scene");
+  expectRefused(with(study, "[\"12 h\", \"16 h\"]", "\"12 h\""), "must be a list of values");
+  expectRefused(with(study, "scene.duration", "scene.seed"), "not by 'scene.seed'");
+  expectRefused(with(study, "scene.duration", "cellCycle.g1Mean"), "in [settings] and in [grid]");
+  expectRefused(with(study, "g1Mean", "g1Meen"), "did you mean 'g1Mean'?");
+  expectRefused(with(study, "16 h", "16 kg"), "g1Mean=16_kg_seed1");
+  expectRefused("scenes = [", "study.toml");
+}
+
+TEST_F(Studies, TablesHoldTheRunsByGroupAndDay) {
+  writeText(folder / "study.toml", std::string(study));
+  fs::create_directories(folder / "out/runs");
+  const auto made = [&](const std::string& name, const std::string& status, double final) {
+    const fs::path run = folder / "out/runs" / name;
+    fs::create_directories(run);
+    writeText(run / "summary.json", R"({"status": ")" + status + R"("})");
+    writeText(run / "timeSeries.csv", "day,smc\n0,100\n0.5,\n1," + std::to_string(final) + "\n");
+  };
+  made("tiny_cellCycle.g1Mean=12_h_seed1", "finished", 300);
+  made("tiny_cellCycle.g1Mean=12_h_seed2", "occluded", 500);
+  made("tiny_cellCycle.g1Mean=16_h_seed1", "finished", 200);
+  made("tiny_cellCycle.g1Mean=16_h_seed2", "interrupted", 200);
+  ProcessEnd end = script("collect.py");
+  EXPECT_EQ(end.status, 1) << toString(end);
+  EXPECT_NE(end.err.find("seed2: the run has not ended: interrupted"), std::string::npos) << end.err;
+  made("tiny_cellCycle.g1Mean=16_h_seed2", "finished", 200);
+  end = script("collect.py");
+  ASSERT_EQ(end.status, 0) << toString(end);
+  EXPECT_EQ(readText(folder / "out/table.csv"),
+            "scene,cellCycle.g1Mean,day,column,mean,least,most,seeds\n"
+            "tiny,12 h,0,smc,100,100,100,2\n"
+            "tiny,12 h,0.25,smc,175,150,200,2\n"
+            "tiny,12 h,4,smc,400,300,500,2\n"
+            "tiny,12 h,9,smc,400,300,500,2\n"
+            "tiny,16 h,0,smc,100,100,100,2\n"
+            "tiny,16 h,0.25,smc,125,125,125,2\n"
+            "tiny,16 h,4,smc,200,200,200,2\n"
+            "tiny,16 h,9,smc,200,200,200,2\n");
+  EXPECT_NE(readText(folder / "out/curves.csv").find("tiny,12 h,1,0.5,\n"), std::string::npos);
+}
+
+TEST_F(Studies, ARunThatIsMissingIsNamed) {
+  writeText(folder / "study.toml", std::string(study));
+  fs::create_directories(folder / "out");
+  const ProcessEnd end = script("collect.py");
+  EXPECT_EQ(end.status, 1);
+  EXPECT_NE(end.err.find("tiny_cellCycle.g1Mean=12_h_seed1"), std::string::npos) << end.err;
+}
+
+}  // namespace
+}  // namespace restenosis
