@@ -15,6 +15,7 @@
 #include "bridge/app/ExitStatus.h"
 #include "bridge/app/Failures.h"
 #include "bridge/app/OptionChecks.h"
+#include "bridge/app/RankOptions.h"
 #include "bridge/app/SceneArguments.h"
 #include "bridge/app/StopRequest.h"
 #include "bridge/app/ThreadCount.h"
@@ -218,8 +219,7 @@ void addCompareCommand(CLI::App& app, int& status) {
                       "table (CSV) of points, x_mm,y_mm,z_mm, whose velocities are written too");
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(countUpTo(mostThreads));
-  command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
-      ->check(countUpTo(mostRanks));
+  addRankOptions(*command, arguments->ranks);
   command->callback([arguments, &status] { status = tryCompare(*arguments); });
 }
 

@@ -9,6 +9,7 @@
 #include "bridge/app/ExitStatus.h"
 #include "bridge/app/Failures.h"
 #include "bridge/app/OptionChecks.h"
+#include "bridge/app/RankOptions.h"
 #include "bridge/app/SceneArguments.h"
 #include "bridge/app/StopRequest.h"
 #include "bridge/app/ThreadCount.h"
@@ -167,11 +168,7 @@ void addRunCommand(CLI::App& app, int& status) {
       ->check(aFolder());
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(countUpTo(mostThreads));
-  command
-      ->add_option("--ranks", arguments->ranks,
-                   "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "
-                   "solver's tolerance")
-      ->check(countUpTo(mostRanks));
+  addRankOptions(*command, arguments->ranks);
   auto* resume =
       command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results folder");
   command

@@ -12,6 +12,7 @@
 #include "bridge/app/Failures.h"
 #include "bridge/app/FlowTradeoff.h"
 #include "bridge/app/OptionChecks.h"
+#include "bridge/app/RankOptions.h"
 #include "bridge/app/RunTradeoff.h"
 #include "bridge/app/SceneArguments.h"
 #include "bridge/app/StopRequest.h"
@@ -119,8 +120,7 @@ void addTradeoffCommand(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   command->add_option("--threads", arguments->threads, "OpenMP threads (default: all cores)")
       ->check(countUpTo(mostThreads));
-  command->add_option("--ranks", arguments->ranks, "MPI processes of OpenFOAM (default: 1)")
-      ->check(countUpTo(mostRanks));
+  addRankOptions(*command, arguments->ranks);
   command->callback([arguments, &status] { status = trySweep(*arguments); });
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "bridge/flow/foam/FoamEnvironment.h"
+#include "bridge/flow/foam/MpiLauncher.h"
 
 namespace restenosis {
 
@@ -34,15 +35,15 @@ ExternalProgram prepared(ExternalProgram program, const fs::path& foam, const Fo
 }
 
 /// By variables rather than options, which differ between MPI's makers: others ignore these of Open MPI's.
-void setOpenMpiDefaults(ExternalProgram& mpirun) {
+void setOpenMpiDefaults(ExternalProgram& launcher) {
   // More ranks than cores, and sets of cores that a container or queue allows, are the user's decision
-  setDefault(mpirun, "OMPI_MCA_rmaps_base_oversubscribe", "1");
-  setDefault(mpirun, "OMPI_MCA_hwloc_base_binding_policy", "none");
+  setDefault(launcher, "OMPI_MCA_rmaps_base_oversubscribe", "1");
+  setDefault(launcher, "OMPI_MCA_hwloc_base_binding_policy", "none");
   // Ranks that spin while they wait take the cores from those they wait for, on a machine that others use too
-  setDefault(mpirun, "OMPI_MCA_mpi_yield_when_idle", "1");
+  setDefault(launcher, "OMPI_MCA_mpi_yield_when_idle", "1");
   if (geteuid() == 0) {
-    setDefault(mpirun, "OMPI_ALLOW_RUN_AS_ROOT", "1");
-    setDefault(mpirun, "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+    setDefault(launcher, "OMPI_ALLOW_RUN_AS_ROOT", "1");
+    setDefault(launcher, "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
   }
 }
 
@@ -50,12 +51,12 @@ void setOpenMpiDefaults(ExternalProgram& mpirun) {
 /// them leaves it for good.
 class SharedFiles {
  public:
-  SharedFiles(ExternalProgram& mpirun, const fs::path& folder) : folder_(folder / name) {
+  SharedFiles(ExternalProgram& launcher, const fs::path& folder) : folder_(folder / name) {
     fs::remove_all(folder_);  // of a run that was killed
     fs::create_directory(folder_);
     const std::string seen = std::string("/proc/self/cwd/") + name;  // short, and without odd characters
-    mpirun.setEnvironment("OMPI_MCA_orte_tmpdir_base", seen);
-    mpirun.setEnvironment("OMPI_MCA_btl_vader_backing_directory", seen);
+    launcher.setEnvironment("OMPI_MCA_orte_tmpdir_base", seen);
+    launcher.setEnvironment("OMPI_MCA_btl_vader_backing_directory", seen);
   }
   ~SharedFiles() {
     std::error_code ignored;
@@ -80,20 +81,20 @@ ProgramExit runFoam(const std::string& program, const std::vector<std::string>& 
 ProgramExit runFoamOnRanks(const std::string& program, const std::vector<std::string>& arguments,
                            const FoamExecution& execution, const fs::path& folder, const fs::path& log) {
   if (!execution.parallel()) return runFoam(program, arguments, execution, folder, log);
-  const ExternalProgram ranked(program);  // named here where it is missing, not in mpirun's words
-  ExternalProgram mpirun = prepared(ExternalProgram("mpirun"), ranked.path(), execution, folder);
-  setOpenMpiDefaults(mpirun);
-  mpirun.signalledAtDeath(SIGTERM);  // it then ends its processes, however they hang
-  const SharedFiles shared(mpirun, folder);
+  const ExternalProgram ranked(program);  // named here where it is missing, not in the launcher's words
+  std::vector<std::string> words = mpiLauncher();
+  ExternalProgram launcher = prepared(ExternalProgram(words.front()), ranked.path(), execution, folder);
+  words.erase(words.begin());
+  setOpenMpiDefaults(launcher);
+  launcher.signalledAtDeath(SIGTERM);  // it then ends its processes, however they hang
+  const SharedFiles shared(launcher, folder);
   // mpirun gives its processes a PWD of its own
-  std::vector<std::string> words = {"-np",
-                                    std::to_string(execution.ranks),
-                                    "/usr/bin/env",
-                                    "PWD=" + foamWorkingFolder(folder),
-                                    ranked.path().string(),
-                                    "-parallel"};
+  for (const std::string& word :
+       {std::string("-n"), std::to_string(execution.ranks), std::string("/usr/bin/env"),
+        "PWD=" + foamWorkingFolder(folder), ranked.path().string(), std::string("-parallel")})
+    words.push_back(word);
   words.insert(words.end(), arguments.begin(), arguments.end());
-  ProgramExit exit = mpirun.run(words, folder, log);
+  ProgramExit exit = launcher.run(words, folder, log);
   // A starter ends like a shell: the status is 128 and the signal that ended one of its processes
   constexpr int firstSignal = 128, signals = 64;
   if (exit.signal == 0 && exit.status > firstSignal && exit.status <= firstSignal + signals)

@@ -25,9 +25,9 @@ ProgramExit runFoam(const std::string& program, const std::vector<std::string>& 
                     const FoamExecution& execution, const std::filesystem::path& folder,
                     const std::filesystem::path& log);
 
-/// The same on all ranks, by mpirun, in a case that has been decomposed; with one rank the same as runFoam. A
-/// signal that ended a rank is in ProgramExit::signal. Both throw ProgramMissing and std::runtime_error as
-/// ExternalProgram does.
+/// The same on all ranks, by mpiLauncher(), in a case that has been decomposed; with one rank the same as
+/// runFoam. A signal that ended a rank is in ProgramExit::signal. Both throw ProgramMissing and
+/// std::runtime_error as ExternalProgram does.
 ProgramExit runFoamOnRanks(const std::string& program, const std::vector<std::string>& arguments,
                            const FoamExecution& execution, const std::filesystem::path& folder,
                            const std::filesystem::path& log);
