@@ -2,7 +2,7 @@
 """Collects the runs of a study. Usage, in the folder of its results: collect.py STUDY.toml
 
 Writes curves.csv, every record of every run, and table.csv, the columns of the study on its days: the mean over the
-seeds, the least and the most.
+seeds, the least and the most; over the points, where the study has a table of them.
 """
 import csv
 import sys
@@ -18,17 +18,18 @@ def write(file, lines):
 
 def main():
     study = Study(sys.argv[1])
-    curves, table = [["scene", *study.grid, "seed", "day", *study.columns]], []
+    numbered = ["point"] if study.points else []
+    curves, table = [["scene", *study.grid, *numbered, "seed", "day", *study.columns]], []
     values = {}
     for run in study.runs.values():
         rows = read_rows(Path("runs") / run.name)
-        place = [run.scene.stem, *(value for _, value in run.point)]
+        place = [run.scene.stem, *([] if run.number else [value for _, value in run.point])]
         for row in rows:
-            curves.append([*place, run.seed, row["day"], *(row[column] for column in study.columns)])
+            curves.append([*place, *([run.number] if run.number else []), run.seed, row["day"], *(row[column] for column in study.columns)])
         for day in study.days:
             for column in study.columns:
                 values.setdefault((tuple(place), day, column), []).append(at_day(rows, column, day))
-    table.append(["scene", *study.grid, "day", "column", "mean", "least", "most", "seeds"])
+    table.append(["scene", *study.grid, "day", "column", "mean", "least", "most", "runs"])
     for (place, day, column), of_seeds in values.items():
         known = [value for value in of_seeds if value is not None]
         if known:

@@ -39,12 +39,13 @@ for name in study.runs:
                  f"{max(part['peakMemory_MiB'] for part in summary['parts'].values()):.0f}", summary["stateDigest"]])
 picture = base64.b64encode(Path("figure.png").read_bytes()).decode()
 title = escape(study.title or study.file.parent.name)
+over = f"{len(study.runs)} points" if study.points else f"{len(study.seeds)} seed{'s' if len(study.seeds) > 1 else ''}"
 print(f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>{title}</title><style>{STYLE}</style></head><body>
 <h1>{title}</h1>
 <p><img alt="Curves of the study" src="data:image/png;base64,{picture}"></p>
-<p>A line is a mean over {len(study.seeds)} seed{"s" if len(study.seeds) > 1 else ""}, a band reaches from the least to the most.</p>
+<p>A line is a mean over {over}, a band reaches from the least to the most.</p>
 <h2>On the days asked for</h2>
 {table(results)}
 <h2>Runs</h2>

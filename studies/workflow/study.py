@@ -13,7 +13,7 @@ ENDED = ("finished", "occluded")
 # Keys of a study: kind, and what holds without it. What has no such value must be there.
 KEYS = {"title": (str, ""), "scenes": (list, None), "seeds": (list, [1]), "threads": (int, 1), "ranks": (int, 1),
         "memory_MiB": (int, 2048), "columns": (list, None), "days": (list, None), "settings": (dict, {}),
-        "grid": (dict, {})}
+        "grid": (dict, {}), "points": (str, ""), "first": (int, 0)}
 
 
 class WrongStudy(Exception):
@@ -27,15 +27,18 @@ class Run:
     seed: int
     point: tuple  # (key, value) of the grid
     settings: tuple  # (key, value) of every run
+    number: int = 0  # of the line of a table of points; 0: there is none
 
     @property
     def group(self):
-        """What runs that differ in their seed alone have in common."""
-        return " ".join([self.scene.stem, *(f"{key}={value}" for key, value in self.point)])
+        """What runs that differ in their seed alone have in common, or in their point of a table."""
+        return " ".join([self.scene.stem, *(f"{key}={value}" for key, value in self.point if not self.number)])
 
     @property
     def name(self):
         """Of its folder."""
+        if self.number:
+            return f"{self.scene.stem}_point{self.number:04}"
         return re.sub(r"[^\w.=+-]+", "_", f"{self.group} seed{self.seed}")
 
     def options(self):
@@ -79,6 +82,8 @@ class Study:
         for key, values in self.grid.items():
             if not isinstance(values, list) or not values:
                 raise WrongStudy(f"{self.file}: '{key}' of the grid must be a list of values")
+        if self.points and (self.grid or len(self.scenes) > 1 or len(self.seeds) > 1):
+            raise WrongStudy(f"{self.file}: a table of points goes with one scene and one seed, and no grid")
         for key in (*self.settings, *self.grid):
             if key == "scene.seed":
                 raise WrongStudy(f"{self.file}: the seeds are given by 'seeds', not by 'scene.seed'")
@@ -88,11 +93,29 @@ class Study:
             if not (self.file.parent / scene).is_file():
                 raise WrongStudy(f"{self.file}: no such scene: {self.file.parent / scene}")
 
+    def _table(self, settings):
+        """The runs of a table of points: a line each, a column each key; the seed may be one."""
+        try:
+            with open(self.file.parent / self.points, newline="") as file:
+                lines = list(csv.DictReader(file))
+        except OSError as error:
+            raise WrongStudy(f"{self.file.parent / self.points}: {error.strerror}") from error
+        runs = {}
+        for number, line in enumerate(lines[:self.first or None], 1):
+            seed = line.pop("scene.seed", self.seeds[0])
+            run = Run((self.file.parent / self.scenes[0]).resolve(), seed, tuple(line.items()), settings, number)
+            runs[run.name] = run
+        if not runs:
+            raise WrongStudy(f"{self.file.parent / self.points}: no points")
+        return runs
+
     def _runs(self):
         def words(values):
             return [str(value).lower() if isinstance(value, bool) else str(value) for value in values]
 
         settings = tuple(zip(self.settings, words(self.settings.values())))
+        if self.points:
+            return self._table(settings)
         points = [tuple(zip(self.grid, values)) for values in itertools.product(*map(words, self.grid.values()))]
         # Seeds outermost: the first results are one of each kind
         runs = {}

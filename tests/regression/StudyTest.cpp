@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/WholeProgram.h"
@@ -75,7 +76,7 @@ TEST_F(Studies, TablesHoldTheRunsByGroupAndDay) {
   end = script("collect.py");
   ASSERT_EQ(end.status, 0) << toString(end);
   EXPECT_EQ(readText(folder / "out/table.csv"),
-            "scene,cellCycle.g1Mean,day,column,mean,least,most,seeds\n"
+            "scene,cellCycle.g1Mean,day,column,mean,least,most,runs\n"
             "tiny,12 h,0,smc,100,100,100,2\n"
             "tiny,12 h,0.25,smc,175,150,200,2\n"
             "tiny,12 h,4,smc,400,300,500,2\n"
@@ -85,6 +86,27 @@ TEST_F(Studies, TablesHoldTheRunsByGroupAndDay) {
             "tiny,16 h,4,smc,200,200,200,2\n"
             "tiny,16 h,9,smc,200,200,200,2\n");
   EXPECT_NE(readText(folder / "out/curves.csv").find("tiny,12 h,1,0.5,\n"), std::string::npos);
+}
+
+TEST_F(Studies, ATableOfPointsIsOneGroup) {
+  const std::string points = with(with(study, "seeds = [1, 2]", "points = \"points.csv\"\nfirst = 2"),
+                                  "[grid]\n\"cellCycle.g1Mean\" = [\"12 h\", \"16 h\"]\n", "");
+  writeText(folder / "study.toml", points);
+  writeText(folder / "points.csv", "cellCycle.g1Mean,scene.seed\n12 h,7\n16 h,8\n20 h,9\n");
+  for (const int n : {1, 2}) {
+    const fs::path run = folder / fmt::format("out/runs/tiny_point000{}", n);
+    fs::create_directories(run);
+    writeText(run / "summary.json", R"({"status": "finished"})");
+    writeText(run / "timeSeries.csv", fmt::format("day,smc\n0,100\n1,{}00\n", n));
+  }
+  const ProcessEnd end = script("collect.py");
+  ASSERT_EQ(end.status, 0) << toString(end);
+  EXPECT_EQ(readText(folder / "out/curves.csv"),
+            "scene,point,seed,day,smc\ntiny,1,7,0.0,100.0\ntiny,1,7,1.0,100.0\ntiny,2,8,0.0,100.0\n"
+            "tiny,2,8,1.0,200.0\n");
+  EXPECT_NE(readText(folder / "out/table.csv").find("tiny,4,smc,150,100,200,2\n"), std::string::npos);
+  EXPECT_EQ(start(with(points, "[settings]", "[grid]\n\"cellCycle.g1Mean\" = [\"12 h\"]\n[settings]")).status,
+            2);
 }
 
 TEST_F(Studies, ARunThatIsMissingIsNamed) {
