@@ -20,6 +20,7 @@
 #include "bridge/output/Figures.h"
 #include "bridge/output/Progress.h"
 #include "bridge/output/ResultsFolder.h"
+#include "bridge/output/Version.h"
 #include "bridge/scene/SceneFiles.h"
 #include "bridge/scene/SceneFingerprint.h"
 #include "bridge/scene/SceneReader.h"
@@ -116,11 +117,23 @@ void requireFilesElsewhere(const Scene& scene, const std::filesystem::path& fold
   }
 }
 
+/// What is about to run, in a line or two.
+std::string headerText(const Scene& scene, const RunArguments& arguments,
+                       const std::filesystem::path& folder) {
+  const std::string flow =
+      noFlowBecause(scene).empty()
+          ? fmt::format("flow by {} ({})", scene.flow->backend, scene.scene.fidelity) +
+                (arguments.ranks > 1 ? fmt::format(" on {} processes", arguments.ranks) : std::string())
+          : std::string("no flow");
+  return fmt::format("restenosisFoam {}\n{}: {}\n{}; threads: {}; results: {}\n", version(), scene.name,
+                     scene.scene.title, flow, threadCount(arguments.threads), folder.string());
+}
+
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
-  std::cerr << surfacesText(scene);
+  std::cerr << headerText(scene, arguments, path) << surfacesText(scene);
   if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
     for (const std::string& remark : scene.remarks) std::cerr << remark << '\n';
   for (const std::string& known : flowForecast(scene, arguments.ranks))

@@ -40,7 +40,7 @@ std::string commandProblem(const CLI::App& app, int argc, char** argv) {
 int runCommand(int argc, char** argv) {
   using namespace restenosis;
   CLI::App app{"restenosisFoam grows tissue in a stented artery, coupled to OpenFOAM."};
-  app.set_version_flag("--version", std::string(version()));
+  app.set_version_flag("--version", fmt::format("restenosisFoam {}", version()));
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);
   int status = ExitStatus::done;
@@ -50,6 +50,10 @@ int runCommand(int argc, char** argv) {
   addTradeoffCommand(app, status);
   addSchemaCommand(app, status);
   addBenchCommand(app, status);
+  if (argc == 1) {
+    std::cout << app.help();
+    return ExitStatus::wrongInput;
+  }
   if (const std::string problem = commandProblem(app, argc, argv); !problem.empty()) {
     std::cerr << problem;
     return ExitStatus::wrongInput;

@@ -27,6 +27,7 @@ void RunReport::progress(const Instant& now) const {
   progress.g0 = counts.g0, progress.g1 = counts.g1, progress.sg2m = counts.sg2m;
   progress.divisions = state_.divisions;
   progress.flowSolves = quantities_.flow.solves;
+  progress.flowToCome = noFlowBecause(state_.scene).empty() && quantities_.flow.solves == 0;
   state_.progress.step(progress, now.recorded);
 }
 

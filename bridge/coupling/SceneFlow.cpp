@@ -14,7 +14,8 @@ FlowBackendOptions flowBackendOptions(const PartContext& context) {
           .straightEnds = scene.flow->straightEnds,
           .moveMesh = scene.coupling.movesMesh(),
           .ranks = context.ranks,
-          .stopRequested = context.stopRequested};
+          .stopRequested = context.stopRequested,
+          .onStage = [&progress = context.run.progress](const std::string& stage) { progress.flow(stage); }};
 }
 
 std::unique_ptr<FlowBackend> flowBackendFor(const Scene& scene, std::string_view name,

@@ -1,11 +1,13 @@
 #include "bridge/output/Progress.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "tissue/parameters/Printable.h"
 #include "tissue/parameters/SecondsPerDay.h"
@@ -32,6 +34,12 @@ std::string durationText(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 
+/// The time of day in so many seconds, where that is not at once.
+std::string clockText(double seconds) {
+  if (seconds < 300) return "";
+  return fmt::format(", done about {:%H:%M}", fmt::localtime(std::time(nullptr) + std::lround(seconds)));
+}
+
 }  // namespace
 
 Progress::Progress(std::ostream& out, bool terminal, double duration, std::function<Clock::time_point()> now)
@@ -44,20 +52,30 @@ void Progress::stage(const std::string& name, std::uint64_t done, std::uint64_t 
 }
 
 void Progress::step(const ProgressState& s, bool recorded) {
-  const auto left = timeLeft(s.time);
+  const auto left = timeLeft(s);
+  time_ = s.time;
   const bool due = recorded && (!shown_ || now_() - *shown_ >= recordedInterval);
-  show(fmt::format("day {:5.2f}/{:.4g}  {} agents  G0 {}  G1 {}  S/G2/M {}  divisions {}  flow solves {}{}",
-                   s.time / secondsPerDay, duration_ / secondsPerDay, s.agents, s.g0, s.g1, s.sg2m,
-                   s.divisions, s.flowSolves, left),
+  show(fmt::format("{}  {} agents  G0 {}  G1 {}  S/G2/M {}  divisions {}  flow solves {}{}", dayText(),
+                   s.agents, s.g0, s.g1, s.sg2m, s.divisions, s.flowSolves, left),
        due || s.time >= duration_);
 }
 
-std::string Progress::timeLeft(double time) {
-  if (!start_) start_ = {now_(), time};
-  const double advanced = time - start_->time;
-  if (advanced <= 0 || time >= duration_) return "";
+void Progress::flow(const std::string& stage) {
+  if (terminal_) show(fmt::format("{}  flow: {} ...", dayText(), stage), true);
+}
+
+std::string Progress::dayText() const {
+  return fmt::format("day {:5.2f}/{:.4g}", time_ / secondsPerDay, duration_ / secondsPerDay);
+}
+
+std::string Progress::timeLeft(const ProgressState& state) {
+  if (state.flowToCome) return "";
+  if (!start_) start_ = {now_(), state.time};
+  const double advanced = state.time - start_->time;
+  if (advanced <= 0 || state.time >= duration_) return "";
   const double elapsed = std::chrono::duration<double>(now_() - start_->wall).count();
-  return fmt::format("  {} left", durationText(elapsed * (duration_ - time) / advanced));
+  const double left = elapsed * (duration_ - state.time) / advanced;
+  return fmt::format("  {} left{}", durationText(left), clockText(left));
 }
 
 void Progress::show(const std::string& line, bool force) {

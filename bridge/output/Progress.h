@@ -15,6 +15,7 @@ struct ProgressState {
   std::uint64_t agents = 0, g0 = 0, g1 = 0, sg2m = 0;
   std::uint64_t divisions = 0;
   std::uint64_t flowSolves = 0;
+  bool flowToCome = false;  ///< the flow is modelled and not solved yet: nobody knows what it will cost
 };
 
 /// Tells a user how far a run is: day, agents, counts by state, time left. On a terminal one line is kept up
@@ -35,6 +36,9 @@ class Progress {
   /// A step of growth. A step that is recorded is always shown, except when it follows another within a
   /// second.
   void step(const ProgressState& state, bool recorded);
+  /// What the flow that is being solved does ("snappyHexMesh"), beside the day of the last step; on a
+  /// terminal only.
+  void flow(const std::string& stage);
   /// Writes a line of its own, leaving the progress line intact.
   void message(const std::string& message);
   /// Ends the progress line; what is written next starts on a new one.
@@ -42,7 +46,8 @@ class Progress {
 
  private:
   void show(const std::string& line, bool force);
-  std::string timeLeft(double time);
+  std::string timeLeft(const ProgressState& state);
+  std::string dayText() const;
 
   std::ostream& out_;
   bool terminal_;
@@ -53,7 +58,8 @@ class Progress {
     Clock::time_point wall;
     double time;
   };
-  std::optional<Start> start_;  ///< of growth in this process: a resumed run starts late
+  std::optional<Start> start_;  ///< of growth in this process: a resumed run starts late; of that with flow
+  double time_ = 0;             ///< of the last step [s]
   std::string line_;            ///< on the terminal now
 };
 

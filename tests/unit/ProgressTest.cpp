@@ -37,6 +37,34 @@ TEST(Progress, ShowsDayAgentsStatesAndTimeLeft) {
   EXPECT_NE(text.find("3 min 00 s left"), std::string::npos) << text;
 }
 
+TEST(Progress, KnowsNoTimeLeftBeforeTheFirstFlowAndCountsFromIt) {
+  Clock clock;
+  std::ostringstream out;
+  Progress progress(out, false, 10 * 86400, clock.reader());
+  ProgressState state = onDay(1);
+  state.flowToCome = true;
+  progress.step(state, true);
+  clock.time += 2s;
+  state = onDay(2), state.flowToCome = true;
+  progress.step(state, true);
+  EXPECT_EQ(out.str().find("left"), std::string::npos) << out.str();
+  clock.time += 100s;  // of the flow of day 3
+  progress.step(onDay(3), true);
+  clock.time += 100s;
+  progress.step(onDay(4), true);
+  EXPECT_NE(out.str().find("10 min 00 s left, done about "), std::string::npos) << out.str();
+}
+
+TEST(Progress, SaysWhatTheFlowDoesOnATerminalOnly) {
+  for (const bool terminal : {false, true}) {
+    std::ostringstream out;
+    Progress progress(out, terminal, 10 * 86400);
+    progress.step(onDay(3), true);
+    progress.flow("snappyHexMesh");
+    EXPECT_EQ(out.str().find("day  3.00/10  flow: snappyHexMesh ...") != std::string::npos, terminal);
+  }
+}
+
 TEST(Progress, WritesPlainLinesSparingly) {
   Clock clock;
   std::ostringstream out;

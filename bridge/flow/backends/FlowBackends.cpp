@@ -17,7 +17,9 @@ const std::vector<FlowBackendEntry>& flowBackends() {
        [](const FlowBackendOptions& options) -> std::unique_ptr<FlowBackend> {
          return std::make_unique<FoamBackend>(
              options.foam ? *options.foam : FoamSettings::forFidelity(options.fidelity),
-             FoamExecution{options.ranks, options.stopRequested},
+             FoamExecution{.ranks = options.ranks,
+                           .stopRequested = options.stopRequested,
+                           .onProgram = options.onStage},
              options.moveMesh ? FoamBackend::Remeshing::onDemand : FoamBackend::Remeshing::always);
        }},
       {flowBackendNames::lbm,

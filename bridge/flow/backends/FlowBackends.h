@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct FlowBackendOptions {
   bool moveMesh = false;                             ///< rather than mesh each lumen anew (foam)
   int ranks = 1;                                     ///< processes that may work on one flow
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, a solve under way ends by FlowFailed
+  std::function<void(const std::string& stage)> onStage = {};  ///< told what a solve is about to do (foam)
 };
 
 /// The backends, each made by its name.

@@ -31,6 +31,7 @@ ExternalProgram prepared(ExternalProgram program, const fs::path& foam, const Fo
              "glibc.malloc.top_pad=67108864:glibc.malloc.hugetlb=1");
   program.stopWhen(execution.stopRequested);
   if (execution.silenceLimit) program.stopWhenSilentFor(*execution.silenceLimit);
+  if (execution.onProgram) execution.onProgram(foam.filename().string());
   return program;
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct FoamExecution {
   const std::atomic<bool>* stopRequested = nullptr;  ///< once true, the program that runs is ended
   /// A program whose log has not grown for so long is ended; none: never.
   std::optional<std::chrono::duration<double>> silenceLimit = {};
+  /// Told of each program that is about to run.
+  std::function<void(const std::string& program)> onProgram = {};
   bool parallel() const { return ranks > 1; }
 };
 
