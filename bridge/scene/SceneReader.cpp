@@ -111,6 +111,7 @@ void resolve(Scene& scene, const SceneDocument& document) {
     if (!given->values.contains("strutLevel")) scene.foam->strutLevel = level.strutLevel;
     if (!given->values.contains("bufferCells")) scene.foam->bufferCells = level.bufferCells;
     if (!given->values.contains("snapIterations")) scene.foam->snapIterations = level.snapIterations;
+    if (!given->values.contains("tolerance")) scene.foam->tolerance = level.tolerance;
   }
   if (const GivenSection* given = document.find(LbmSettings::section)) {
     const LbmSettings level = LbmSettings::forFidelity(scene.scene.fidelity);

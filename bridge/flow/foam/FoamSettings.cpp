@@ -14,11 +14,13 @@ struct Level {
   double cellSize;  // [m]
   int wallLevel, strutLevel;
   int bufferCells, snapIterations;
+  double tolerance;
 };
 
 /// Cell sizes at core, wall and strut: 90, 45, 22.5; 60, 30, 15; 45, 22.5, 11.25 um.
-constexpr std::array levels = {Level{"draft", 90e-6, 1, 2, 1, 3}, Level{"standard", 60e-6, 1, 2, 2, 5},
-                               Level{"reference", 45e-6, 1, 2, 2, 5}};
+constexpr std::array levels = {Level{"draft", 90e-6, 1, 2, 1, 3, 1e-3},
+                               Level{"standard", 60e-6, 1, 2, 2, 5, 1e-4},
+                               Level{"reference", 45e-6, 1, 2, 2, 5, 1e-4}};
 
 }  // namespace
 
@@ -169,6 +171,7 @@ FoamSettings FoamSettings::forFidelity(std::string_view fidelity) {
       settings.strutLevel = level.strutLevel;
       settings.bufferCells = level.bufferCells;
       settings.snapIterations = level.snapIterations;
+      settings.tolerance = level.tolerance;
       return settings;
     }
   throw std::invalid_argument(

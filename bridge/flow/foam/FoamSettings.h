@@ -12,8 +12,9 @@ namespace restenosis {
 struct FoamSettings {
   static constexpr std::string_view section = "foam";
   static constexpr std::string_view summary =
-      "Mesh and solver settings of the OpenFOAM backend; cell sizes, buffer and snapping not given are those "
-      "of scene.fidelity";
+      "Mesh and solver settings of the OpenFOAM backend; cell sizes, buffer, snapping and tolerance not "
+      "given are "
+      "those of scene.fidelity";
 
   std::string mesh = "snappyHexMesh";             ///< or oGrid
   double cellSize = 60e-6;                        ///< cell size in the core of the lumen [m]
@@ -21,7 +22,7 @@ struct FoamSettings {
   std::int64_t strutLevel = 2;                    ///< the same at struts
   std::int64_t bufferCells = 2;                   ///< rows of cells between one level and the next
   std::int64_t snapIterations = 5;                ///< of moving the mesh's wall onto the surface
-  double tolerance = 1e-3;                        ///< residual at which the solution counts as converged
+  double tolerance = 1e-4;                        ///< residual at which the solution counts as converged
   double pressureDrivenTolerance = 1e-5;          ///< the same at a fixed pressure gradient
   std::int64_t iterations = 400;                  ///< most iterations at a fixed flow rate
   std::int64_t pressureDrivenIterations = 10000;  ///< the same at a fixed pressure gradient
