@@ -19,7 +19,7 @@ def thickness(axis, series):
     axis.set_ylabel("thickness [µm]")
     axis.plot(series["day"], series["neointimaThickness_um"], color=style.ORANGE, label="mean")
     if known(series, "neointimaThicknessMax_um"):
-        axis.plot(series["day"], series["neointimaThicknessMax_um"], "--", color=style.ORANGE, label="largest along z")
+        axis.plot(series["day"], series["neointimaThicknessMax_um"], linestyle="--", color=style.ORANGE, label="largest along z")
 
 
 def narrowing(axis, series):
@@ -95,12 +95,14 @@ def draw(folder, path):
     if not results.has_tissue(folder):
         raise results.NothingToDraw("a lumen without tissue does not grow")
     series = results.time_series(folder)
+    if len(series["day"]) < 2:
+        raise results.NothingToDraw("one recorded day makes no curve")
     panels = [draw_panel for name, draw_panel in PANELS.items() if known(series, name)]
     style.apply()
     if len(series["day"]) < FEW:
         plt.rcParams.update({"lines.marker": "o", "lines.markersize": 3.5})
-    columns = min(COLUMNS, len(panels))
-    rows = -(-len(panels) // columns)
+    rows = -(-len(panels) // COLUMNS)
+    columns = -(-len(panels) // rows)
     figure, grid = plt.subplots(rows, columns, figsize=(PANEL[0] * columns, PANEL[1] * rows), squeeze=False)
     axes = grid.ravel()
     for axis, draw_panel in zip(axes, panels):

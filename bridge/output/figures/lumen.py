@@ -84,7 +84,8 @@ def draw(folder, path):
     if results.only_flow_from_file(folder):
         raise results.NothingToDraw("a lumen from a file has no axis to unroll it about")
     frames = results.frames(folder, "lumen")
-    chosen = results.spread(results.frames_with_flow(frames) or frames, COLUMNS if results.has_tissue(folder) else 1)
+    shown = results.frames_with_flow(frames) or frames[1:] or frames
+    chosen = results.spread(shown, COLUMNS if results.has_tissue(folder) else 1)
     days, lumens = [day for day, _ in chosen], [results.lumen(file) for _, file in chosen]
     first = results.lumen(frames[0][1])
     length = max(lumen["vertices"][:, 2].max() for lumen in lumens)

@@ -82,8 +82,10 @@ def arresting_stress(folder):
 
 
 def frames_with_flow(entries):
-    """Those of a lumen's frames that carry a stress: from the first solve on, all do."""
-    return entries[bisect.bisect_left(entries, True, key=lambda entry: has_flow(entry[1])) :]
+    """Those of a lumen's frames that carry a stress: from the first solve on all do, the last one perhaps not."""
+    *before, last = entries
+    first = bisect.bisect_left(before, True, key=lambda entry: has_flow(entry[1]))
+    return before[first:] + [last] * has_flow(last[1])
 
 
 def spread(items, count):

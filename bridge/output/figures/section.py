@@ -17,6 +17,7 @@ BESIDE = 12  # the stented section reaches so many radii beyond its struts
 SECTORS = 72  # in which new tissue is measured
 WIDE = 1.5  # an enlarged part is so much wider than high
 LUMEN = 0.18  # and shows so much of its height of the lumen
+LINE = {"color": style.BLACK, "linewidth": 1.1, "marker": ""}  # of the IEL
 PANEL = 2.7  # height of a panel [in]
 
 
@@ -87,7 +88,10 @@ def peak_around(angle, weight):
 
 
 def discs(axis, tissue, across, up, depth):
-    """Draws the discs in which the plane at `depth` = 0 cuts the agents, as far as the axis shows them."""
+    """Draws the discs in which the plane at `depth` = 0 cuts the agents, as far as the axis shows them.
+
+    Returns which colours these have.
+    """
     cut = np.abs(depth) < tissue.radius
     for places, limits in ((across, axis.get_xlim()), (up, axis.get_ylim())):
         cut &= (places > limits[0] - tissue.radius) & (places < limits[1] + tissue.radius)
@@ -107,33 +111,40 @@ def discs(axis, tissue, across, up, depth):
             linewidths=0.15,
         )
     )
+    return set(tissue.colour[cut])
 
 
-def outline(axis, across, up):
-    """The line of the IEL."""
-    axis.plot(across, up, color=style.BLACK, linewidth=1.1, marker="")
+def line_across(axis, tissue, cut):
+    """The line of the IEL in a section across."""
+    if tissue.line is not None:
+        turn = np.linspace(-np.pi, np.pi, 1441)
+        radius = tissue.iel_at(turn + cut.angle, np.full_like(turn, cut.z))
+        axis.plot(-radius * np.sin(turn), radius * np.cos(turn), **LINE)
+
+
+def line_along(axis, tissue, cut):
+    """The line of the IEL in a section along the vessel."""
+    if tissue.line is not None:
+        z = np.linspace(*axis.get_xlim(), 400)
+        axis.plot(z, tissue.iel_at(np.full_like(z, cut.angle), z), **LINE)
 
 
 def whole(axis, tissue, cut, box):
     """The whole cross-section, with the part that is enlarged."""
     reach = 1.03 * np.hypot(tissue.x, tissue.y).max()
     axis.set(xlim=(-reach, reach), ylim=(-reach, reach))
-    discs(axis, tissue, *tissue.turned(cut.angle), tissue.z - cut.z)
-    if tissue.line is not None:
-        turn = np.linspace(-np.pi, np.pi, 721)
-        radius = tissue.iel_at(turn + cut.angle, np.full_like(turn, cut.z))
-        outline(axis, -radius * np.sin(turn), radius * np.cos(turn))
+    found = discs(axis, tissue, *tissue.turned(cut.angle), tissue.z - cut.z)
+    line_across(axis, tissue, cut)
     axis.add_patch(Rectangle((box[0], box[2]), box[1] - box[0], box[3] - box[2], fill=False, linewidth=1.2))
+    return found
 
 
 def across(axis, tissue, cut, box):
     """The part of the cross-section about the cut's angle."""
     axis.set(xlim=box[:2], ylim=box[2:])
-    discs(axis, tissue, *tissue.turned(cut.angle), tissue.z - cut.z)
-    if tissue.line is not None:
-        turn = np.linspace(-np.pi / 2, np.pi / 2, 721)
-        radius = tissue.iel_at(turn + cut.angle, np.full_like(turn, cut.z))
-        outline(axis, -radius * np.sin(turn), radius * np.cos(turn))
+    found = discs(axis, tissue, *tissue.turned(cut.angle), tissue.z - cut.z)
+    line_across(axis, tissue, cut)
+    return found
 
 
 def along(axis, tissue, cut, box):
@@ -142,10 +153,9 @@ def along(axis, tissue, cut, box):
     start = max(tissue.z.min(), min(cut.z - width / 2, tissue.z.max() - width))
     axis.set(xlim=(start, start + width), ylim=box[2:])
     sideways, outwards = tissue.turned(cut.angle)
-    discs(axis, tissue, tissue.z, outwards, sideways)
-    if tissue.line is not None:
-        z = np.linspace(*axis.get_xlim(), 400)
-        outline(axis, z, tissue.iel_at(np.full_like(z, cut.angle), z))
+    found = discs(axis, tissue, tissue.z, outwards, sideways)
+    line_along(axis, tissue, cut)
+    return found
 
 
 def enlarged_box(tissues, cut):
@@ -162,22 +172,23 @@ def enlarged_box(tissues, cut):
     return -WIDE * height / 2, WIDE * height / 2, top - height, top
 
 
-def legend(figure, tissues):
-    """Names the colours that occur and the line, below the panels."""
-    found = [number for number in SHOWN if any((tissue.colour == number).any() for tissue in tissues)]
+def legend(figure, found, line):
+    """Names the colours that were found, and the line where there is one, below the panels."""
     handles = [
         Line2D([], [], marker="o", markersize=7, linestyle="", color=COLOURS[number], label=NAMES[number])
-        for number in found
+        for number in SHOWN
+        if number in found
     ]
-    if any(tissue.line is not None for tissue in tissues):
-        handles.append(Line2D([], [], color=style.BLACK, linewidth=1.1, marker="", label="line of the IEL"))
+    if line:
+        handles.append(Line2D([], [], label="line of the IEL", **LINE))
     figure.legend(handles=handles, loc="lower center", ncol=4, handletextpad=0.4, bbox_to_anchor=(0.5, 0))
 
 
 def draw_day(axes, day, tissue, cut, box):
-    """The three panels of a day."""
+    """The three panels of a day; returns which colours they have."""
+    found = set()
     for axis, part in zip(axes, (whole, across, along)):
-        part(axis, tissue, cut, box)
+        found |= part(axis, tissue, cut, box)
         axis.set_aspect("equal")
         axis.grid(False)
         axis.set(xticks=[], yticks=[])
@@ -190,6 +201,7 @@ def draw_day(axes, day, tissue, cut, box):
     ring.set_title(f"{style.day_label(day)}, across at z = {cut.z:.3g} mm")
     enlarged.set_title("enlarged")
     sideways.set_title("along the vessel, at the middle of the frame")
+    return found
 
 
 def draw(folder, path):
@@ -206,9 +218,10 @@ def draw(folder, path):
         gridspec_kw={"width_ratios": (1, WIDE, WIDE)},
     )
     figure.get_layout_engine().set(rect=(0, 0.1, 1, 0.9))
+    found = set()
     for axes, (day, _), tissue in zip(grid, entries, tissues):
-        draw_day(axes, day, tissue, cut, box)
+        found |= draw_day(axes, day, tissue, cut, box)
     style.letter_panels(grid.ravel())
-    legend(figure, tissues)
+    legend(figure, found, any(tissue.line is not None for tissue in tissues))
     style.save(figure, path, vector=True)
     plt.close(figure)

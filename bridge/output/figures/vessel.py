@@ -59,12 +59,12 @@ class View:
 def seen(agents, part, line):
     """Which agents of the half right of x = 0 can be seen: all but media deep beneath the cut, the ends and the IEL."""
     x, _, z = agents["position"].T
+    if line is None:
+        return x > 0
     deep = HIDDEN * agents["radius"]
-    hidden = (part == anatomy.MEDIA) & (x > deep) & (z > z.min() + deep) & (z < z.max() - deep)
-    if line is not None:
-        radius, angle, _ = anatomy.cylindrical(agents)
-        hidden &= radius > line.at(angle, z) + deep
-    return (x > 0) & ~hidden
+    radius, angle, _ = anatomy.cylindrical(agents)
+    inside = (x > deep) & (z > z.min() + deep) & (z < z.max() - deep) & (radius > line.at(angle, z) + deep)
+    return (x > 0) & ~(inside & (part == anatomy.MEDIA))
 
 
 def spheres(points, radius, colours):
