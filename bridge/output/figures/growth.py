@@ -17,9 +17,11 @@ def known(series, name):
 def thickness(axis, series):
     axis.set_title("Neointima")
     axis.set_ylabel("thickness [µm]")
-    axis.plot(series["day"], series["neointimaThickness_um"], color=style.ORANGE, label="mean")
+    day = series["day"]
+    axis.plot(day, series["neointimaThickness_um"], color=style.ORANGE, label="mean")
     if known(series, "neointimaThicknessMax_um"):
-        axis.plot(series["day"], series["neointimaThicknessMax_um"], linestyle="--", color=style.ORANGE, label="largest along z")
+        most = series["neointimaThicknessMax_um"]
+        axis.plot(day, most, linestyle="--", color=style.ORANGE, label="largest along z")
 
 
 def narrowing(axis, series):

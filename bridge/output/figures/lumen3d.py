@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 FRAMES = 4
 PANEL = (900, 760)  # pixels
+WIDTH, LEAST_HEIGHT = 3.2, 1.6  # of a panel [in]
 
 
 def colour_table(name, low, high):
@@ -41,11 +42,11 @@ def smoothed(data):
 
 
 def into_the_half(camera, data):
-    """Looks at the half of a lumen about the z axis that is left of x = 0, from the open side."""
+    """Looks at the half of a lumen about the z axis that is right of x = 0, from the open side."""
     bounds = data.GetBounds()
     length, radius = bounds[5], bounds[1]
-    camera.SetFocalPoint(-0.35 * radius, 0, 0.5 * length)
-    camera.SetPosition(4.2 * radius, 2.2 * radius, 0.5 * length - 2.4 * radius)
+    camera.SetFocalPoint(0.35 * radius, 0, 0.5 * length)
+    camera.SetPosition(-4.2 * radius, 2.2 * radius, 0.5 * length + 2.4 * radius)
     camera.SetViewUp(0, 1, 0)
     camera.SetParallelScale(0.62 * max(length, 2.2 * radius))
 
@@ -68,7 +69,7 @@ def render(data, table, opened):
     mapper.SetInputData(smoothed(data))
     if opened:
         opening = vtkPlane()
-        opening.SetNormal(-1, 0, 0)
+        opening.SetNormal(1, 0, 0)
         mapper.AddClippingPlane(opening)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("WSS")
@@ -88,7 +89,6 @@ def render(data, table, opened):
     camera.ParallelProjectionOn()
     (into_the_half if opened else at_the_widest_side)(camera, data)
     renderer.ResetCameraClippingRange()
-
     return rendering.image_of(renderer, PANEL)
 
 
@@ -105,7 +105,8 @@ def draw(folder, path):
     table = colour_table(style.WSS_MAP, 0.0, top)
     images = rendering.trimmed([render(d, table, opened) for d in data])
 
-    figure, axes = plt.subplots(1, len(images), figsize=(3.2 * len(images) + 0.8, 3.3), squeeze=False)
+    height = max(WIDTH * images[0].shape[0] / images[0].shape[1], LEAST_HEIGHT)
+    figure, axes = plt.subplots(1, len(images), figsize=(WIDTH * len(images) + 0.8, height + 0.4), squeeze=False)
     for axis, image, (day, _) in zip(axes[0], images, entries):
         axis.imshow(image)
         axis.set_axis_off()

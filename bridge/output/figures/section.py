@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 COLOURS = [colour for _, colour in anatomy.PARTS] + [style.SKY, style.VERMILION]
-NAMES = [name for name, _ in anatomy.PARTS] + ["media, synthetic", "cell dividing"]
+NAMES = [name for name, _ in anatomy.PARTS] + ["media, synthetic", "cell growing or dividing"]
 SYNTHETIC, DIVIDING = len(anatomy.PARTS), len(anatomy.PARTS) + 1
 SHOWN = (anatomy.STENT, anatomy.NEOINTIMA, DIVIDING, anatomy.MEDIA, SYNTHETIC, anatomy.IEL, anatomy.EEL)
 BESIDE = 12  # the stented section reaches so many radii beyond its struts
