@@ -61,7 +61,7 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
     }
   }
   if (!pictures) return;
-  for (const char* picture : {"growth.png", "lumen.png", "section.png", "lumen3d.png"})
+  for (const char* picture : {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png"})
     name(picture, "picture");
   name("report.html", "all of it on one page");
 }

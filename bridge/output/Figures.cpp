@@ -42,8 +42,9 @@ class OwnFolder {
 /// Links in the place of what is drawn: it would be written where they lead.
 void removeLinks(const fs::path& results) {
   for (const char* picture :
-       {"growth", "lumen", "section", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
-    for (const char* kind : {".png", ".partial.png"}) removeIfLink(results / (std::string(picture) + kind));
+       {"vessel", "section", "growth", "lumen", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
+    for (const char* kind : {".png", ".partial.png", ".pdf", ".partial.pdf"})
+      removeIfLink(results / (std::string(picture) + kind));
   for (const char* text : {"report.html", "figures.log"}) removeIfLink(results / text);
 }
 

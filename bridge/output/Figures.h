@@ -7,9 +7,9 @@
 
 namespace restenosis {
 
-/// Draws the pictures of a results folder (growth.png, lumen.png, section.png, lumen3d.png), or of a
-/// comparison of backends (compareMaps.png, compareScatter.png), by running the Python package `figures` on
-/// it as a process of its own. Pictures never fail a run.
+/// Draws the pictures of a results folder (vessel.png, section.png, growth.png, lumen.png, lumen3d.png), or
+/// of a comparison of backends (compareMaps.png, compareScatter.png), by running the Python package `figures`
+/// on it as a process of its own. Pictures never fail a run.
 class Figures {
  public:
   /// The interpreter is RESTENOSIS_PYTHON where set, else /usr/bin/python3, whose packages Debian provides.

@@ -25,19 +25,21 @@ TEST(Figures, DrawsEveryPictureAndPutsAllOnOnePage) {
   SyntheticResults().write(folder.path());
   writeText(folder / "scene.toml", "[scene]\ntitle = \"a < b\"\n");
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
-  for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png"}) {
+  for (const char* name : {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png"}) {
     const auto picture = readText(folder / name);
     EXPECT_TRUE(picture.starts_with("\x89PNG")) << name;
     // A blank picture of these sizes compresses to a few kilobytes.
     EXPECT_GT(picture.size(), 20000u) << name;
   }
+  for (const char* name : {"section.pdf", "growth.pdf", "lumen.pdf"})
+    EXPECT_TRUE(readText(folder / name).starts_with("%PDF")) << name;
 
   const auto page = readText(folder / "report.html");
   std::size_t pictures = 0;
   for (auto at = page.find("data:image/png;base64,"); at != std::string::npos;
        at = page.find("data:image/png;base64,", at + 1))
     ++pictures;
-  EXPECT_EQ(pictures, 4u);
+  EXPECT_EQ(pictures, 5u);
   EXPECT_NE(page.find("title = &quot;a &lt; b&quot;"), std::string::npos) << "the scene, escaped";
   EXPECT_NE(page.find("neointimaThickness_um"), std::string::npos);
   EXPECT_NE(page.find("peak memory"), std::string::npos);
@@ -67,7 +69,8 @@ TEST(Figures, AreDrawnWhateverTheUserHasSetForOtherPrograms) {
   fs::current_path(home.path());
   EXPECT_EQ(Figures().draw(folder / "results"), "") << readText(folder / "results/figures.log");
   fs::current_path(before);
-  for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html"})
+  for (const char* name :
+       {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png", "report.html"})
     EXPECT_TRUE(fs::exists(folder / "results" / name)) << name;
   EXPECT_FALSE(fs::exists(folder / "results/.figures"));
   EXPECT_FALSE(fs::exists(home / ".cache")) << "nothing is left with the user";
@@ -100,6 +103,22 @@ TEST(Figures, DrawsWhatThereIsBeforeAnyFlowAndForOneFrame) {
   results.frames = 1;
   results.write(folder.path());
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+  for (const char* name : {"vessel.png", "section.png", "section.pdf", "lumen3d.png"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  for (const char* none : {"growth.png", "growth.pdf", "lumen.png", "lumen.pdf"})
+    EXPECT_FALSE(fs::exists(folder / none)) << none;
+}
+
+TEST(Figures, OfALumenWithoutTissueShowNoGrowth) {
+  if (!pythonHasPackages())
+    GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";
+  TemporaryFolder folder;
+  SyntheticResults().write(folder.path());
+  fs::remove(folder / "tissue.pvd");
+  EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
+  for (const char* name : {"lumen.png", "lumen3d.png"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  for (const char* none : {"vessel.png", "section.png", "growth.png"})
+    EXPECT_FALSE(fs::exists(folder / none)) << none;
 }
 
 TEST(Figures, ShowALumenFromAFileInSpaceAndOnThePage) {
@@ -110,7 +129,7 @@ TEST(Figures, ShowALumenFromAFileInSpaceAndOnThePage) {
   writeText(folder / "scene.toml", "[vessel]\nlumenSurface = \"a.stl\"\n");
   std::filesystem::remove(folder / "tissue.pvd");
   EXPECT_EQ(Figures().draw(folder.path()), "") << readText(folder / "figures.log");
-  for (const char* none : {"growth.png", "lumen.png", "section.png"})
+  for (const char* none : {"vessel.png", "growth.png", "lumen.png", "section.png"})
     EXPECT_FALSE(std::filesystem::exists(folder / none)) << none;
   EXPECT_TRUE(std::filesystem::exists(folder / "lumen3d.png"));
   EXPECT_NE(readText(folder / "report.html").find("The lumen in space."), std::string::npos);

@@ -2,11 +2,12 @@
 
     /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
 
-Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, crossCheck.png where
-the flow was cross-checked, beside what they are drawn from, and report.html, one page with all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. With
-a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
-written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was drawn;
-otherwise the last line printed says what is missing.
+Writes vessel.png, growth.png, section.png, lumen.png and lumen3d.png, of a lumen from a file without tissue only the
+last, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
+all of it; growth, section and lumen as PDF too. In the folder of a comparison it writes compareMaps.png and
+compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that. Needs Debian's python3-matplotlib and
+python3-vtk9, and xvfb where there is no display. The page is written without the pictures that cannot be drawn. Exit
+status 0 when every picture that the results allow was drawn; otherwise the last line printed says what is missing.
 
 -I (isolated) keeps out what a user has set or installed for other programs: PYTHONPATH, PYTHONHOME, packages of their
 own.
@@ -30,9 +31,11 @@ PICTURES = {
     "compareMaps.png": ("compare", "draw_maps"),
     "compareScatter.png": ("compare", "draw_scatter"),
     "tradeoff.png": ("tradeoff", "draw"),
+    "vessel.png": ("vessel", "draw"),
     "lumen3d.png": ("lumen3d", "draw"),
 }
-IN_SPACE = "lumen3d.png"
+VECTORS = ("growth.pdf", "lumen.pdf", "section.pdf")  # beside the pictures of these names
+IN_SPACE = {"vessel.png": "tissue.pvd", "lumen3d.png": "lumen.pvd"}  # and what they are drawn from
 DEBIANS_PYTHON = "/usr/bin/python3"
 
 
@@ -63,11 +66,11 @@ def draw(folder, name):
     getattr(importlib.import_module(module), function)(folder, folder / name)
 
 
-def draw_in_space(folder):
-    """Draws lumen3d.png in a process of its own: where graphics are broken, rendering can end its process."""
+def draw_in_space(folder, name):
+    """Draws a picture in space in a process of its own: where graphics are broken, rendering can end its process."""
     import virtual_display
 
-    command = [sys.executable, "-I", "-B", "-X", "utf8", str(Path(__file__).parent), str(folder), IN_SPACE]
+    command = [sys.executable, "-I", "-B", "-X", "utf8", str(Path(__file__).parent), str(folder), name]
     problem = "there is no display; install the package xvfb"
     for environment in virtual_display.environments():
         with environment as variables:
@@ -86,10 +89,10 @@ def draw_all(folder):
     problems = []
     drawn = []
     for name in PICTURES:
-        if name == IN_SPACE and not (folder / "lumen.pvd").exists():
+        if name in IN_SPACE and not (folder / IN_SPACE[name]).exists():
             continue
         try:
-            problem = draw_in_space(folder) if name == IN_SPACE else draw(folder, name)
+            problem = (draw_in_space if name in IN_SPACE else draw)(folder, name)
         except NothingToDraw as reason:
             print(f"{name}: {reason}")
             continue
@@ -125,7 +128,7 @@ def main():
     if len(sys.argv) == 3:
         draw(folder, sys.argv[2])
         return 0
-    for name in PICTURES:
+    for name in (*PICTURES, *VECTORS):
         (folder / name).unlink(missing_ok=True)  # of an earlier state
     missing = obstacle()
     problems = [missing] if missing else draw_all(folder)

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import results
 import style
-from lumen import unrolled
+from unrolling import unrolled
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PARTS = (
@@ -73,6 +73,7 @@ def draw_maps(folder, path):
         axis.grid(False)
         axis.set_ylabel("angle θ [°]")
         axis.set_yticks([-180, -90, 0, 90, 180])
+    style.letter_panels(axes)
     style.save(figure, path)
     plt.close(figure)
 
@@ -110,5 +111,6 @@ def draw_scatter(folder, path):
     spread = np.percentile(np.abs((b - a)[known]), 99.5)
     right.set(xlim=(0, top), ylim=(-1.3 * spread, 1.3 * spread))
     right.set(xlabel="mean of both [Pa]", ylabel=f"{second} − {first} [Pa]", title="lines: wall, ends left out")
+    style.letter_panels((left, right))
     style.save(figure, path)
     plt.close(figure)

@@ -15,7 +15,7 @@ def draw(folder, path):
     if not any(np.isfinite(values).any() for values in checked.values()):
         raise results.NothingToDraw("no flow was cross-checked")
     style.apply()
-    figure, (means, squares, decided) = plt.subplots(1, 3, figsize=(9.5, 3.2), layout="constrained")
+    figure, (means, squares, decided) = plt.subplots(1, 3, figsize=(9.5, 3.2))
 
     def curve(axis, values, **how):
         known = np.isfinite(values)
@@ -36,5 +36,6 @@ def draw(folder, path):
     for axis in (means, squares, decided):
         axis.set_xlabel("day after deployment")
     means.legend(fontsize=8)
+    style.letter_panels((means, squares, decided))
     style.save(figure, path)
     plt.close(figure)

@@ -6,24 +6,18 @@ Needs a display.
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+import rendering
 import results
 import style
-import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what rendering needs)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkPolyDataNormals
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 FRAMES = 4
 PANEL = (900, 760)  # pixels
+WIDTH, LEAST_HEIGHT = 3.2, 1.6  # of a panel [in]
 
 
 def colour_table(name, low, high):
@@ -48,11 +42,11 @@ def smoothed(data):
 
 
 def into_the_half(camera, data):
-    """Looks at the half of a lumen about the z axis that is left of x = 0, from the open side."""
+    """Looks at the half of a lumen about the z axis that is right of x = 0, from the open side."""
     bounds = data.GetBounds()
     length, radius = bounds[5], bounds[1]
-    camera.SetFocalPoint(-0.35 * radius, 0, 0.5 * length)
-    camera.SetPosition(4.2 * radius, 2.2 * radius, 0.5 * length - 2.4 * radius)
+    camera.SetFocalPoint(0.35 * radius, 0, 0.5 * length)
+    camera.SetPosition(-4.2 * radius, 2.2 * radius, 0.5 * length + 2.4 * radius)
     camera.SetViewUp(0, 1, 0)
     camera.SetParallelScale(0.62 * max(length, 2.2 * radius))
 
@@ -75,7 +69,7 @@ def render(data, table, opened):
     mapper.SetInputData(smoothed(data))
     if opened:
         opening = vtkPlane()
-        opening.SetNormal(-1, 0, 0)
+        opening.SetNormal(1, 0, 0)
         mapper.AddClippingPlane(opening)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("WSS")
@@ -95,29 +89,7 @@ def render(data, table, opened):
     camera.ParallelProjectionOn()
     (into_the_half if opened else at_the_widest_side)(camera, data)
     renderer.ResetCameraClippingRange()
-
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(*PANEL)
-    window.AddRenderer(renderer)
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    image = grab.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
-
-
-def trimmed(images):
-    """Cuts the white margin that all images share."""
-    ink = np.min([image.min(axis=2) for image in images], axis=0) < 250
-    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
-    if rows.size == 0:
-        return images
-    return [image[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1] for image in images]
+    return rendering.image_of(renderer, PANEL)
 
 
 def draw(folder, path):
@@ -131,13 +103,15 @@ def draw(folder, path):
     shear = shear[np.isfinite(shear)]
     top = np.percentile(shear, 98) if shear.size else 1.0
     table = colour_table(style.WSS_MAP, 0.0, top)
-    images = trimmed([render(d, table, opened) for d in data])
+    images = rendering.trimmed([render(d, table, opened) for d in data])
 
-    figure, axes = plt.subplots(1, len(images), figsize=(3.2 * len(images) + 0.8, 3.3), squeeze=False)
+    height = max(WIDTH * images[0].shape[0] / images[0].shape[1], LEAST_HEIGHT)
+    figure, axes = plt.subplots(1, len(images), figsize=(WIDTH * len(images) + 0.8, height + 0.4), squeeze=False)
     for axis, image, (day, _) in zip(axes[0], images, entries):
         axis.imshow(image)
         axis.set_axis_off()
-        axis.set_title(style.day_label(day), loc="center")
+        axis.set_title(style.day_label(day))
+    style.letter_panels(axes[0])
     colours = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, top), style.WSS_MAP)
     label = "wall shear stress [Pa]\n(grey: not solved yet)" if shear.size else "no flow was solved"
     figure.colorbar(colours, ax=axes, label=label, shrink=0.8, pad=0.01, extend="max")

@@ -7,13 +7,18 @@ import json
 from nothing_to_draw import NothingToDraw
 
 PICTURES = {
-    "growth.png": "Neointima, lumen, coverage and wall shear stress over the days. "
+    "vessel.png": "The vessel cut open along its axis on the last day: stent, new tissue, laminae and media. "
+    "The scale bar lies along the vessel.",
+    "section.png": "The wall where new tissue is thickest, on the first and the last day in the same frame: across (A), "
+    "enlarged (B) and along the vessel (C). The line is that of the inner elastic lamina, which goes on where it is "
+    "injured.",
+    "growth.png": "Neointima, lumen, coverage, cells in cycle and wall shear stress over the days. "
     "A tick marks a recorded state before which the flow was solved anew; "
     "flowSolves in timeSeries.csv counts all solves.",
-    "crossCheck.png": "Wall shear stress by another method against the run's own, and what it would have decided.",
-    "section.png": "The wall cut open on the first and the last day.",
-    "lumen.png": "The lumen unrolled on several days: narrowing and wall shear stress.",
+    "lumen.png": "The lumen unrolled on several days: narrowing and wall shear stress, with the struts and the line of "
+    "the stress that puts a covered cell to rest.",
     "lumen3d.png": "The lumen in space.",
+    "crossCheck.png": "Wall shear stress by another method against the run's own, and what it would have decided.",
 }
 STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222; }

@@ -1,5 +1,6 @@
 """Reads a results folder into numpy arrays."""
 
+import bisect
 import csv
 import tomllib
 import xml.etree.ElementTree as ElementTree
@@ -19,6 +20,11 @@ def only_flow_from_file(folder):
         return False
     scene = tomllib.loads(path.read_text(encoding="utf-8"))
     return bool(scene.get("vessel", {}).get("lumenSurface")) and "mechanics" not in scene
+
+
+def has_tissue(folder):
+    """Whether the run has agents: without, a lumen does not change."""
+    return (folder / "tissue.pvd").exists()
 
 
 def time_series(folder):
@@ -45,10 +51,49 @@ def frames(folder, series):
     return found
 
 
+def has_flow(path):
+    """Whether the triangles of a lumen file carry a stress."""
+    return bool(np.isfinite(vtk_to_numpy(poly_data(path).GetCellData().GetArray("WSS"))).any())
+
+
+def flows(folder):
+    """Whether the run has come to a flow."""
+    series = frames(folder, "lumen") if (folder / "lumen.pvd").exists() else []
+    return bool(series) and has_flow(series[-1][1])
+
+
+def arresting_stress(folder):
+    """The least wall shear stress [Pa] that puts a covered cell to rest; None where endothelium is not modelled.
+
+    As NitricOxide::wssForNitricOxide() has it, with the numbers of the resolved scene.
+    """
+    path = folder / "scene.toml"
+    scene = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    if "endothelium" not in scene:
+        return None
+    keys = ("Threshold", "Slope", "Transition", "Constant", "First", "Second")
+    least, slope, transition, constant, first, second = (
+        float(scene["endothelium"][f"nitricOxide{key}"].split()[0]) for key in keys
+    )
+    if least <= slope * transition:
+        return max(least, 0.0) / slope
+    root = (-first + np.sqrt(max(0.0, first**2 - 4 * second * (constant - least)))) / (2 * second)
+    return max(root, transition)
+
+
+def frames_with_flow(entries):
+    """Those of a lumen's frames that carry a stress: from the first solve on all do, the last one perhaps not."""
+    *before, last = entries
+    first = bisect.bisect_left(before, True, key=lambda entry: has_flow(entry[1]))
+    return before[first:] + [last] * has_flow(last[1])
+
+
 def spread(items, count):
-    """At most `count` of the items, evenly spread, the first and the last among them."""
+    """At most `count` of the items, evenly spread, the first and the last among them; the last where it is one."""
     if len(items) <= count:
         return items
+    if count == 1:
+        return items[-1:]
     return [items[round(k * (len(items) - 1) / (count - 1))] for k in range(count)]
 
 

@@ -104,5 +104,6 @@ def draw(folder, path):
     figure, axes = plt.subplots(1, len(panels), figsize=(6.2 * len(panels), 4.6), squeeze=False)
     for axis, (chosen, title, within) in zip(axes[0], panels):
         draw_panel(axis, chosen, title, within)
+    style.letter_panels(axes[0])
     style.save(figure, path)
     plt.close(figure)
