@@ -125,7 +125,7 @@ std::string headerText(const Scene& scene, const RunArguments& arguments,
           ? fmt::format("flow by {} ({})", scene.flow->backend, scene.scene.fidelity) +
                 (arguments.ranks > 1 ? fmt::format(" on {} processes", arguments.ranks) : std::string())
           : std::string("no flow");
-  return fmt::format("restenosisFoam {}\n{}: {}\n{}; threads: {}; results: {}\n", version(), scene.name,
+  return fmt::format("restenosisFoam {}\n{}: {}\n{}; threads: {}; results: {}", version(), scene.name,
                      scene.scene.title, flow, threadCount(arguments.threads), folder.string());
 }
 
@@ -133,7 +133,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
-  std::cerr << headerText(scene, arguments, path) << surfacesText(scene);
+  std::cerr << surfacesText(scene);
   if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
     for (const std::string& remark : scene.remarks) std::cerr << remark << '\n';
   for (const std::string& known : flowForecast(scene, arguments.ranks))
@@ -145,6 +145,7 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
                            .flowFromRest = arguments.flowFromRest};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
+  progress.message(headerText(scene, arguments, path));
   atomicWrite(folder.scene(), writeScene(scene, Units()));
   run.go();
   if (scene.output.pictures) {
