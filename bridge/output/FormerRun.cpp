@@ -108,10 +108,10 @@ void removeReplacedRun(const fs::path& results) {
 }  // namespace
 
 bool isNameOfResult(const fs::path& name) {
-  static constexpr std::array<std::string_view, 15> files{
-      "scene.toml", "timeSeries.csv", "profile.csv", "thicknessMap.csv", "summary.json",
-      "tissue.pvd", "lumen.pvd",      "report.html", "figures.log",      "compare.json",
-      "growth.png", "lumen.png",      "section.png", "lumen3d.png",      "crossCheck.png"};
+  static constexpr std::array<std::string_view, 16> files{
+      "scene.toml",  "timeSeries.csv", "profile.csv",    "thicknessMap.csv", "summary.json", "tissue.pvd",
+      "lumen.pvd",   "report.html",    "figures.log",    "compare.json",     "growth.png",   "lumen.png",
+      "section.png", "lumen3d.png",    "crossCheck.png", "view.pvsm"};
   return isAmong(files, name) || isNameOfResultFolder(name);
 }
 

@@ -3,8 +3,9 @@
     /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
 
 Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, crossCheck.png where
-the flow was cross-checked, beside what they are drawn from, and report.html, one page with all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png. With
-a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
+the flow was cross-checked, beside what they are drawn from, view.pvsm, the same for ParaView, and report.html, one page
+with all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png.
+With a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
 written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was drawn;
 otherwise the last line printed says what is missing.
 
@@ -30,6 +31,7 @@ PICTURES = {
     "compareMaps.png": ("compare", "draw_maps"),
     "compareScatter.png": ("compare", "draw_scatter"),
     "tradeoff.png": ("tradeoff", "draw"),
+    "view.pvsm": ("view", "write"),
     "lumen3d.png": ("lumen3d", "draw"),
 }
 IN_SPACE = "lumen3d.png"
