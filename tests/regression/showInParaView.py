@@ -2,8 +2,9 @@
 
     pvpython tests/regression/showInParaView.py RESULTS PICTURES
 
-Writes all.png, and for what is drawn of Cells, Struts and Lumen <name>.png, in which that is hidden; first.png is the
-first day. Exit status 0 when the state has a layout, opens on the last day and goes through the days.
+Writes last.png and first.png, the last and the first day, and of what there is lastCells.png, lastLumen.png and
+firstStruts.png, in which that is hidden; all without legends, whose colours are those of the cells. Exit status 0 when
+the state has a layout and legends, opens on the last day and goes through the days.
 """
 
 import os
@@ -12,12 +13,23 @@ from pathlib import Path
 
 from paraview import simple
 
-PARTS = {"Cells": ("Cells",), "Struts": ("Struts", "Faces of struts"), "Lumen": ("Lumen",)}
+PARTS = {"lastCells": ("Cells",), "lastLumen": ("Lumen",), "firstStruts": ("Struts", "Faces of struts")}
 SIZE = [800, 600]
 
 
 def picture(view, path):
     simple.SaveScreenshot(str(path), view, ImageResolution=SIZE)
+
+
+def hide_each(view, sources, pictures, day):
+    for name, members in PARTS.items():
+        found = [sources[member] for member in members if member in sources and name.startswith(day)]
+        for member in found:
+            simple.Hide(member, view)
+        if found:
+            picture(view, pictures / f"{name}.png")
+        for member in found:
+            simple.Show(member, view)
 
 
 def main():
@@ -34,17 +46,15 @@ def main():
     good = len(simple.GetLayouts()) == 1 and view.ViewTime == steps[-1] == scene.AnimationTime
     good = good and scene.PlayMode == "Snap To TimeSteps" and scene.StartTime == steps[0] and scene.EndTime == steps[-1]
     print(f"{len(steps)} days, opens on day {view.ViewTime}, {scene.PlayMode}, {len(simple.GetLayouts())} layout")
-    picture(view, pictures / "all.png")
-    for name, members in PARTS.items():
-        found = [sources[member] for member in members if member in sources]
-        for member in found:
-            simple.Hide(member, view)
-        if found:
-            picture(view, pictures / f"{name}.png")
-        for member in found:
-            simple.Show(member, view)
+    legends = [shown for shown in view.Representations if shown.GetXMLName() == "ScalarBarWidgetRepresentation"]
+    good = good and legends and all(legend.Visibility for legend in legends)
+    for legend in legends:
+        legend.Visibility = 0
+    picture(view, pictures / "last.png")
+    hide_each(view, sources, pictures, "last")
     scene.GoToFirst()
     picture(view, pictures / "first.png")
+    hide_each(view, sources, pictures, "first")
     return 0 if good else 1
 
 

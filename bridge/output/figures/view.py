@@ -12,6 +12,7 @@ import results
 import style
 
 VERSION = "5.11.0"
+UNKNOWN = "#E6D2C4"  # of stress before the first flow
 FRAMES = 4  # whose stresses decide the range of the colours
 CLASS = "cell"  # the array made from kind, state and flags: the index into CLASSES
 CLASSES = (
@@ -201,7 +202,7 @@ def stress_colours(pipeline, top):
         (0, top),
         RGBPoints=[number for place, colour in zip(places, colours) for number in (top * place, *colour)],
         ColorSpace=0,
-        NanColor=[0.78, 0.78, 0.78],
+        NanColor=rgb(UNKNOWN),
     )
 
 
