@@ -67,7 +67,8 @@ TEST(Figures, AreDrawnWhateverTheUserHasSetForOtherPrograms) {
   fs::current_path(home.path());
   EXPECT_EQ(Figures().draw(folder / "results"), "") << readText(folder / "results/figures.log");
   fs::current_path(before);
-  for (const char* name : {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html"})
+  for (const char* name :
+       {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html", "view.pvsm"})
     EXPECT_TRUE(fs::exists(folder / "results" / name)) << name;
   EXPECT_FALSE(fs::exists(folder / "results/.figures"));
   EXPECT_FALSE(fs::exists(home / ".cache")) << "nothing is left with the user";

@@ -188,7 +188,7 @@ TEST_F(Scripts, AllcleanKnowsWhatARunWrites) {
   }
   EXPECT_TRUE(fs::exists(checkout / "results/quick/previous"));
   for (const char* picture :
-       {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html", "figures.log"})
+       {"growth.png", "lumen.png", "section.png", "lumen3d.png", "report.html", "view.pvsm", "figures.log"})
     result("quick/" + std::string(picture));
   EXPECT_EQ(start("Allclean", {}, elsewhere), "");
   EXPECT_FALSE(fs::exists(checkout / "results"));

@@ -5,9 +5,9 @@
 Writes growth.png, lumen.png, section.png and lumen3d.png, of a lumen from a file only the last, crossCheck.png where
 the flow was cross-checked, beside what they are drawn from, view.pvsm, the same for ParaView, and report.html, one page
 with all of it; in the folder of a comparison, compareMaps.png and compareScatter.png; in that of a sweep, tradeoff.png.
-With a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The page is
-written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was drawn;
-otherwise the last line printed says what is missing.
+With a PICTURE only that. Needs Debian's python3-matplotlib and python3-vtk9, and xvfb where there is no display. The
+page is written without the pictures that cannot be drawn. Exit status 0 when every picture that the results allow was
+drawn; otherwise the last line printed says what is missing.
 
 -I (isolated) keeps out what a user has set or installed for other programs: PYTHONPATH, PYTHONHOME, packages of their
 own.

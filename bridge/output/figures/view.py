@@ -32,7 +32,7 @@ FORMULA = (
     "if(daughter==1, 2, if(synthetic==1, 1, 0)))))))"
 )
 POINTS, CELLS = 0, 1  # what an array is on
-LEGENDS = 1.25  # width of the picture over its height that the vessel may take, the rest being for legends
+LEGENDS = 1.1  # width of the picture over its height that the vessel may take, the rest being for legends
 
 
 def rgb(colour):
@@ -94,7 +94,7 @@ def add_proxy(parent, proxy):
             if isinstance(value, Proxy):
                 ElementTree.SubElement(property_, "Proxy", value=str(value.number), output_port="0")
             else:
-                text = value if isinstance(value, str) else f"{value:.9g}"
+                text = value if isinstance(value, str) else f"{value:.12g}"
                 ElementTree.SubElement(property_, "Element", index=str(index), value=text)
     if proxy.layout_of:
         layout = ElementTree.SubElement(element, "Layout", number_of_elements="1")
@@ -122,7 +122,7 @@ class Cut:
         left = points[(points - self.origin) @ self.normal <= 0] - self.origin
         across, along = left @ right, left @ above
         self.scale = 1.06 * max(0.5 * np.ptp(along), 0.5 * np.ptp(across) / LEGENDS)
-        middle = 0.5 * (across.min() + across.max()) + 0.2 * self.scale, 0.5 * (along.min() + along.max())
+        middle = 0.5 * (across.min() + across.max()) + 0.15 * self.scale, 0.5 * (along.min() + along.max())
         self.focus = self.origin + middle[0] * right + middle[1] * above
         self.eye = self.focus + 6 * max(np.ptp(across), np.ptp(along)) * towards
 
