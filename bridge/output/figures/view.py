@@ -32,7 +32,7 @@ FORMULA = (
     "if(daughter==1, 2, if(synthetic==1, 1, 0)))))))"
 )
 POINTS, CELLS = 0, 1  # what an array is on
-LEGENDS = 1.1  # width of the picture over its height that the vessel may take, the rest being for legends
+VESSEL = 1.1  # largest width of what is drawn over the height of the picture: beside it there are legends
 
 
 def rgb(colour):
@@ -121,7 +121,7 @@ class Cut:
         above = np.cross(towards, right)
         left = points[(points - self.origin) @ self.normal <= 0] - self.origin
         across, along = left @ right, left @ above
-        self.scale = 1.06 * max(0.5 * np.ptp(along), 0.5 * np.ptp(across) / LEGENDS)
+        self.scale = 1.06 * max(0.5 * np.ptp(along), 0.5 * np.ptp(across) / VESSEL)
         middle = 0.5 * (across.min() + across.max()) + 0.15 * self.scale, 0.5 * (along.min() + along.max())
         self.focus = self.origin + middle[0] * right + middle[1] * above
         self.eye = self.focus + 6 * max(np.ptp(across), np.ptp(along)) * towards
@@ -206,9 +206,6 @@ def stress_colours(pipeline, top):
     )
 
 
-SOLID = {"ColorArrayName": ["", "", "", "", ""], "Specular": 0.4, "SpecularPower": 30}
-
-
 def spheres(**properties):
     """Points as spheres of their own radius: the array's values are used as they are, in m."""
     return dict(
@@ -220,6 +217,18 @@ def spheres(**properties):
         ShaderPreset=1,
         **properties,
     )
+
+
+def steel():
+    """One colour, with highlights."""
+    colour = rgb(CLASSES[STRUT][1])
+    return {
+        "ColorArrayName": ["", "", "", "", ""],
+        "AmbientColor": colour,
+        "DiffuseColor": colour,
+        "Specular": 0.4,
+        "SpecularPower": 30,
+    }
 
 
 def add_tissue(pipeline, struts):
@@ -234,10 +243,6 @@ def add_tissue(pipeline, struts):
         strut = pipeline.threshold("Struts", opened, POINTS, CLASS, STRUT, STRUT)
         pipeline.show(strut, **spheres(**steel()))
     pipeline.legend(table, "Cells", WindowLocation=2, ScalarBarLength=0.42)
-
-
-def steel():
-    return dict(SOLID, AmbientColor=rgb(CLASSES[STRUT][1]), DiffuseColor=rgb(CLASSES[STRUT][1]))
 
 
 def add_lumen(pipeline, top, struts, labelled):
