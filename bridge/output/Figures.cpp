@@ -45,7 +45,8 @@ void removeLinks(const fs::path& results) {
        {"vessel", "section", "growth", "lumen", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
     for (const char* kind : {".png", ".partial.png", ".pdf", ".partial.pdf"})
       removeIfLink(results / (std::string(picture) + kind));
-  for (const char* text : {"report.html", "figures.log"}) removeIfLink(results / text);
+  for (const char* text : {"report.html", "figures.log", "view.pvsm", "view.pvsm.partial"})
+    removeIfLink(results / text);
 }
 
 /// The last line of a log that is not empty: where a Python program says what went wrong.

@@ -70,7 +70,7 @@ TEST(Figures, AreDrawnWhateverTheUserHasSetForOtherPrograms) {
   EXPECT_EQ(Figures().draw(folder / "results"), "") << readText(folder / "results/figures.log");
   fs::current_path(before);
   for (const char* name :
-       {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png", "report.html"})
+       {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png", "report.html", "view.pvsm"})
     EXPECT_TRUE(fs::exists(folder / "results" / name)) << name;
   EXPECT_FALSE(fs::exists(folder / "results/.figures"));
   EXPECT_FALSE(fs::exists(home / ".cache")) << "nothing is left with the user";

@@ -187,8 +187,9 @@ TEST_F(Scripts, AllcleanKnowsWhatARunWrites) {
     ASSERT_EQ(end.status, 0) << toString(end);
   }
   EXPECT_TRUE(fs::exists(checkout / "results/quick/previous"));
-  for (const char* picture : {"vessel.png", "growth.png", "growth.pdf", "lumen.png", "lumen.pdf",
-                              "section.png", "section.pdf", "lumen3d.png", "report.html", "figures.log"})
+  for (const char* picture :
+       {"vessel.png", "growth.png", "growth.pdf", "lumen.png", "lumen.pdf", "section.png", "section.pdf",
+        "lumen3d.png", "report.html", "view.pvsm", "figures.log"})
     result("quick/" + std::string(picture));
   EXPECT_EQ(start("Allclean", {}, elsewhere), "");
   EXPECT_FALSE(fs::exists(checkout / "results"));

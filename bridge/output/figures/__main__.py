@@ -4,7 +4,7 @@
 
 Writes vessel.png, growth.png, section.png, lumen.png and lumen3d.png, of a lumen from a file without tissue only the
 last, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
-all of it; growth, section and lumen as PDF too. In the folder of a comparison it writes compareMaps.png and
+all of it; growth, section and lumen as PDF too; view.pvsm is the same for ParaView. In the folder of a comparison it writes compareMaps.png and
 compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that. Needs Debian's python3-matplotlib and
 python3-vtk9, and xvfb where there is no display. The page is written without the pictures that cannot be drawn. Exit
 status 0 when every picture that the results allow was drawn; otherwise the last line printed says what is missing.
@@ -32,6 +32,7 @@ PICTURES = {
     "compareScatter.png": ("compare", "draw_scatter"),
     "tradeoff.png": ("tradeoff", "draw"),
     "vessel.png": ("vessel", "draw"),
+    "view.pvsm": ("view", "write"),
     "lumen3d.png": ("lumen3d", "draw"),
 }
 VECTORS = ("growth.pdf", "lumen.pdf", "section.pdf")  # beside the pictures of these names
