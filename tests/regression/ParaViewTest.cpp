@@ -24,7 +24,7 @@ std::optional<std::string> pvpython() {
   return std::nullopt;
 }
 
-bool pythonHasPackages() {
+bool picturesPackagesPresent() {
   return std::system("/usr/bin/python3 -c 'import matplotlib, vtkmodules' >/dev/null 2>&1") == 0;
 }
 
@@ -56,7 +56,8 @@ TEST(ParaView, LoadsTheSeries) {
 }
 
 TEST(ParaView, TheStateHoldsWhatThereIsToShow) {
-  if (!pythonHasPackages()) GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
+  if (!picturesPackagesPresent())
+    GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
   {
     SCOPED_TRACE("tissue and lumen");
     TemporaryFolder folder;
@@ -89,7 +90,8 @@ TEST(ParaView, TheStateHoldsWhatThereIsToShow) {
 }
 
 TEST(ParaView, TheStateShowsCellsStrutsAndLumen) {
-  if (!pythonHasPackages()) GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
+  if (!picturesPackagesPresent())
+    GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
   const auto python = pvpython();
   if (!python) GTEST_SKIP() << noParaView;
   for (const bool withTissue : {true, false}) {
