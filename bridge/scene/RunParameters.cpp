@@ -1,6 +1,10 @@
 #include "bridge/scene/RunParameters.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "tissue/parameters/NamedTable.h"
 
@@ -11,6 +15,19 @@ constexpr std::array schedules{Named<ScheduleMode>{"onChange", ScheduleMode::onC
                                Named<ScheduleMode>{"everyStep", ScheduleMode::everyStep}};
 constexpr std::array stressUpdates{Named<bool>{"firstOrder", true}, Named<bool>{"none", false}};
 constexpr std::array remeshings{Named<bool>{"always", false}, Named<bool>{"onDemand", true}};
+
+struct Level {
+  std::string_view fidelity;
+  double lumenTolerance, lumenInterval;  // [m], [s]
+};
+
+/// Measured in docs/results/coupling.md.
+constexpr std::array levels = {Level{"draft", 20e-6, 6 * 3600},
+                               Level{"standard", 10e-6, 0},
+                               Level{"reference", 5e-6, 0}};
+
+constexpr std::array keysOfLevels = {"coupling.lumenTolerance", "coupling.lumenInterval"};
+
 constexpr std::array keptFlowCases{Named<bool>{"last", false}, Named<bool>{"all", true}};
 
 }  // namespace
@@ -24,6 +41,21 @@ bool CouplingParameters::stressFollowsLumen() const {
 }
 
 bool CouplingParameters::movesMesh() const { return findNamed(remeshings, "coupling.remesh", remesh).value; }
+
+CouplingParameters CouplingParameters::forFidelity(std::string_view fidelity) {
+  const auto level = std::ranges::find(levels, fidelity, &Level::fidelity);
+  if (level == levels.end())
+    throw std::invalid_argument(
+        fmt::format("there is no fidelity '{}'; valid names: draft, standard, reference", fidelity));
+  CouplingParameters settings;
+  settings.lumenTolerance = level->lumenTolerance;
+  settings.lumenInterval = level->lumenInterval;
+  return settings;
+}
+
+bool CouplingParameters::followsFidelity(std::string_view name) {
+  return std::ranges::find(keysOfLevels, name) != keysOfLevels.end();
+}
 
 bool OutputParameters::keepsAllFlowCases() const {
   return findNamed(keptFlowCases, "output.keepFlowCases", keepFlowCases).value;
@@ -49,7 +81,10 @@ void SceneParameters::describe(ParameterVisitor& p) {
   p.integer(seed,
             {.key = "seed", .minimum = 0, .source = "none", .description = "seed of all random numbers"});
   p.choice(fidelity, {"draft", "standard", "reference"},
-           {.key = "fidelity", .source = "assumed", .description = "cell sizes of the flow mesh"});
+           {.key = "fidelity",
+            .source = "assumed",
+            .description = "how finely the flow is solved and how often: what [foam], [lbm] and [coupling] "
+                           "leave out"});
 }
 
 void CouplingParameters::describe(ParameterVisitor& p) {
@@ -63,7 +98,8 @@ void CouplingParameters::describe(ParameterVisitor& p) {
                               .minimum = 0,
                               .maximum = 1000,
                               .source = "assumed",
-                              .description = "movement of the lumen below which the last flow still holds"});
+                              .description = "movement of the lumen below which the last flow still holds; 20 um at "
+                                             "draft, 5 um at reference"});
   p.quantity(lumenInterval,
              {.key = "lumenInterval",
               .unit = "h",
@@ -71,7 +107,7 @@ void CouplingParameters::describe(ParameterVisitor& p) {
               .maximum = 240,
               .source = "docs/model/coupling.md",
               .description = "simulated time between two looks at the lumen, beside recorded steps and the "
-                             "first solve; 0: in every step"});
+                             "first solve; 0: in every step; 6 h at draft"});
   p.quantity(undecidedMargin,
              {.key = "undecidedMargin",
               .minimum = 0,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "tissue/parameters/ParameterVisitor.h"
 #include "tissue/parameters/SecondsPerDay.h"
@@ -31,7 +32,7 @@ struct CouplingParameters {
   static constexpr std::string_view summary = "When the lumen surface is taken and the flow solved";
 
   std::string schedule = "onChange";        ///< see scheduleMode
-  double lumenTolerance = 5e-6;             ///< [m]
+  double lumenTolerance = 10e-6;            ///< [m]
   double lumenInterval = 0;                 ///< [s]
   double undecidedMargin = 2.5;             ///< undecided is a cell below this times the arresting stress
   double undecidedShare = 0.03;             ///< of these cells, where the lumen may have moved further
@@ -47,6 +48,11 @@ struct CouplingParameters {
   bool stressFollowsLumen() const;
   /// Whether the last mesh is moved while that is good enough, and not every lumen meshed afresh.
   bool movesMesh() const;
+
+  /// The settings of a fidelity level: draft, standard or reference. Throws std::invalid_argument for others.
+  static CouplingParameters forFidelity(std::string_view fidelity);
+  /// Its keys that a fidelity decides, as "section.key": how accurately, and not what, is run.
+  static bool followsFidelity(std::string_view name);
 };
 
 /// What is written, and how often.

@@ -111,7 +111,7 @@ std::map<std::string, std::string> lastingValues(const Scene& scene) {
   std::erase_if(values, [](const auto& entry) {
     const std::string section = entry.first.substr(0, entry.first.find('.'));
     return section == FoamSettings::section || section == LbmSettings::section ||
-           entry.first == "scene.fidelity";
+           entry.first == "scene.fidelity" || CouplingParameters::followsFidelity(entry.first);
   });
   return values;
 }
@@ -142,13 +142,12 @@ std::map<std::string, std::string> inputDigests(const Scene& scene) {
 
 std::map<std::string, std::string> flowSettings(const Scene& scene) {
   if (!scene.flow) return {};
-  if (scene.flow->backend == flowBackendNames::foam) {
-    auto values = collect(scene.foamSettings());
-    leaveOutSilenceLimit(values);
-    return values;
-  }
-  if (scene.flow->backend == flowBackendNames::lbm) return collect(scene.lbmSettings());
-  return {};
+  auto values = collect(scene.coupling);
+  std::erase_if(values, [](const auto& entry) { return !CouplingParameters::followsFidelity(entry.first); });
+  if (scene.flow->backend == flowBackendNames::foam) values.merge(collect(scene.foamSettings()));
+  if (scene.flow->backend == flowBackendNames::lbm) values.merge(collect(scene.lbmSettings()));
+  leaveOutSilenceLimit(values);
+  return values;
 }
 
 std::string settingsInPlace(const std::map<std::string, std::string>& before,

@@ -17,8 +17,9 @@ std::map<std::string, std::string> sceneValues(const Scene& scene);
 /// with their contents, wherever they lie. Throws std::runtime_error when one cannot be read.
 std::map<std::string, std::string> decisiveValues(const Scene& scene);
 
-/// Of these, what may not change in the course of a run: without what only says how accurately a backend
-/// computes the flow, which are `scene.fidelity`, [foam] and [lbm].
+/// Of these, what may not change in the course of a run: without what only says how accurately the flow is
+/// computed and how often, which are `scene.fidelity`, [foam], [lbm] and the keys of [coupling] that a fidelity
+/// decides.
 std::map<std::string, std::string> lastingValues(const Scene& scene);
 
 /// What the `lastingValues` of two scenes differ in: "section.key", or "[section]" for one that only one of
@@ -29,8 +30,8 @@ std::vector<std::string> lastingDifferences(const Scene& a, const Scene& b);
 /// read.
 std::map<std::string, std::string> inputDigests(const Scene& scene);
 
-/// The settings that the scene's backend is given, of its section or of what `scene.fidelity` stands for:
-/// "section.key" -> value as above. Empty where there are none.
+/// The settings that the scene's flow is computed by, given or those that `scene.fidelity` stands for, of its
+/// backend and of [coupling]: "section.key" -> value as above. Empty without a flow.
 std::map<std::string, std::string> flowSettings(const Scene& scene);
 
 /// Where `now` differs from `before`, both flowSettings of one backend: "lbm.dx = 20 um (before: 30 um)".

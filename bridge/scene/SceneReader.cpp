@@ -93,6 +93,14 @@ std::string adoptMovedKeys(Scene& scene, const std::vector<std::string>& keys) {
   return text;
 }
 
+/// What a fidelity stands for, as the defaults of the sections that it decides.
+void startFromFidelity(Scene& scene) {
+  const std::string& fidelity = scene.scene.fidelity;
+  scene.coupling = CouplingParameters::forFidelity(fidelity);
+  if (scene.foam) scene.foam = FoamSettings::forFidelity(fidelity);
+  if (scene.lbm) scene.lbm = LbmSettings::forFidelity(fidelity);
+}
+
 /// Defaults that follow from other keys.
 void resolve(Scene& scene, const SceneDocument& document) {
   // A design such as one ring has no use for the length of a stent: the default must not make a short vessel
@@ -103,21 +111,6 @@ void resolve(Scene& scene, const SceneDocument& document) {
     scene.stent->length = std::min(scene.stent->length, scene.vessel.length);
   }
   if (scene.mechanics && !scene.relaxation) scene.relaxation.emplace();
-  // What makes a fidelity, where it is not given.
-  if (const GivenSection* given = document.find(FoamSettings::section)) {
-    const FoamSettings level = FoamSettings::forFidelity(scene.scene.fidelity);
-    if (!given->values.contains("cellSize")) scene.foam->cellSize = level.cellSize;
-    if (!given->values.contains("wallLevel")) scene.foam->wallLevel = level.wallLevel;
-    if (!given->values.contains("strutLevel")) scene.foam->strutLevel = level.strutLevel;
-    if (!given->values.contains("bufferCells")) scene.foam->bufferCells = level.bufferCells;
-    if (!given->values.contains("snapIterations")) scene.foam->snapIterations = level.snapIterations;
-    if (!given->values.contains("tolerance")) scene.foam->tolerance = level.tolerance;
-  }
-  if (const GivenSection* given = document.find(LbmSettings::section)) {
-    const LbmSettings level = LbmSettings::forFidelity(scene.scene.fidelity);
-    if (!given->values.contains("dx")) scene.lbm->dx = level.dx;
-    if (!given->values.contains("tolerance")) scene.lbm->tolerance = level.tolerance;
-  }
 }
 
 /// Fifty times a scene that gives every key, with a remark to each [bytes], assumed.
@@ -178,11 +171,13 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
     if (document.find(Section::section) != nullptr) section.emplace();
   });
   scene.forEachSection([&](auto& section, bool) {
-    const GivenSection* given = document.find(section.section);
-    if (given == nullptr) return;
-    SectionReader reader(section.section, *given, file.parent_path(), units_, findings);
-    section.describe(reader);
-    reader.finish(all);
+    if (const GivenSection* given = document.find(section.section)) {
+      SectionReader reader(section.section, *given, file.parent_path(), units_, findings);
+      section.describe(reader);
+      reader.finish(all);
+    }
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(section)>, SceneParameters>)
+      startFromFidelity(scene);  // before the sections that it decides are read
   });
   const auto loaded = takeLumenSurface(scene, document, units_, findings);
   resolve(scene, document);

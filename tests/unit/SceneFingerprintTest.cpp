@@ -28,11 +28,13 @@ TEST(SceneFingerprint, FollowsWhatInfluencesResultsOnly) {
 TEST(SceneFingerprint, LetsARunGoOnWithAnotherAccuracyOfTheFlow) {
   Scene scene;
   scene.flow.emplace().backend = "lbm";
-  Scene fidelity = scene, foam = scene, lbm = scene;
+  Scene fidelity = scene, foam = scene, lbm = scene, tolerance = scene, interval = scene;
   fidelity.scene.fidelity = "draft";
+  tolerance.coupling.lumenTolerance *= 2;
+  interval.coupling.lumenInterval = 7200;
   foam.foam.emplace();
   lbm.lbm.emplace().dx = 1e-5;
-  for (const Scene* changed : {&fidelity, &foam, &lbm}) {
+  for (const Scene* changed : {&fidelity, &foam, &lbm, &tolerance, &interval}) {
     EXPECT_NE(sceneFingerprint(*changed), sceneFingerprint(scene));
     EXPECT_EQ(checkpointFingerprint(*changed), checkpointFingerprint(scene));
     EXPECT_TRUE(lastingDifferences(scene, *changed).empty());
@@ -48,7 +50,11 @@ TEST(SceneFingerprint, KnowsTheSettingsOfTheFlowWhereverTheyComeFrom) {
   Scene scene;
   EXPECT_TRUE(flowSettings(scene).empty());
   scene.flow.emplace().backend = "analytic";
-  EXPECT_TRUE(flowSettings(scene).empty());
+  const auto analytic = flowSettings(scene);
+  EXPECT_EQ(analytic.size(), 2u) << "how often it is solved";
+  EXPECT_TRUE(analytic.contains("coupling.lumenTolerance"));
+  scene.coupling.lumenTolerance *= 2;
+  EXPECT_NE(flowSettings(scene), analytic);
   for (const char* backend : {"foam", "lbm"}) {
     SCOPED_TRACE(backend);
     scene.flow->backend = backend;

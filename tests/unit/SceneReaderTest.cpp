@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -59,6 +60,29 @@ TEST_F(SceneReaderTest, ReadsValuesAndKeepsDefaults) {
   EXPECT_EQ(scene.flow->density, FlowParameters().density);
   EXPECT_FALSE(scene.stent.has_value());
   EXPECT_FALSE(scene.endothelium.has_value());
+}
+
+TEST_F(SceneReaderTest, LeavesToTheFidelityWhatIsNotGiven) {
+  const auto read = [&](std::string_view fidelity, const std::string& more) {
+    return SceneReader(units).readText(start + more, "scenes/x.toml",
+                                       {{fmt::format("scene.fidelity={}", fidelity)}});
+  };
+  for (const char* fidelity : {"draft", "standard", "reference"}) {
+    SCOPED_TRACE(fidelity);
+    const auto coupling = CouplingParameters::forFidelity(fidelity);
+    EXPECT_EQ(read(fidelity, "").coupling.lumenTolerance, coupling.lumenTolerance);
+    const Scene given = read(fidelity,
+                             "[flow]\n[foam]\nwallLevel = 3\n[lbm]\nwarmStart = false\n"
+                             "[coupling]\nlumenTolerance = \"7 um\"\n");
+    EXPECT_EQ(given.coupling.lumenTolerance, 7e-6);
+    EXPECT_EQ(given.coupling.lumenInterval, coupling.lumenInterval);
+    EXPECT_EQ(given.foam->wallLevel, 3);
+    EXPECT_EQ(given.foam->cellSize, FoamSettings::forFidelity(fidelity).cellSize);
+    EXPECT_EQ(given.foam->tolerance, FoamSettings::forFidelity(fidelity).tolerance);
+    EXPECT_EQ(given.lbm->dx, LbmSettings::forFidelity(fidelity).dx);
+  }
+  EXPECT_GT(read("draft", "").coupling.lumenTolerance, read("standard", "").coupling.lumenTolerance);
+  EXPECT_EQ(read("standard", "").coupling.lumenTolerance, CouplingParameters().lumenTolerance);
 }
 
 TEST_F(SceneReaderTest, NamesUnknownKeysAndTheNearest) {
