@@ -6,7 +6,6 @@ root_doc = "README"
 extensions = ["myst_parser"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4  # those of GitHub
-pygments_style = "sphinx"
 highlight_language = "text"
 
 html_theme = "furo"
