@@ -10,6 +10,7 @@ import tempfile
 import time
 
 PATIENCE = 120  # seconds for an answer, on a busy machine too
+KEYS = {"Home": 36, "End": 35}
 OPTIONS = (
     "--headless=new",
     "--no-sandbox",
@@ -125,13 +126,21 @@ class Browser:
             raise RuntimeError(json.dumps(answer["exceptionDetails"])[:600])
         return answer["result"].get("value")
 
+    def wait(self, condition):
+        """Waits until a JavaScript expression is true."""
+        end = time.monotonic() + PATIENCE
+        while not self.value(condition):
+            if time.monotonic() > end:
+                raise TimeoutError(f"not so in {PATIENCE} s: {condition}; problems: {self.problems}")
+            self.value("new Promise((done) => setTimeout(done, 50))")
+
     def drawn(self):
         """Waits until what was asked for has been drawn."""
         self.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def key(self, name):
         for kind in ("keyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode={"ArrowLeft": 37, "ArrowRight": 39, "Home": 36, "End": 35}[name])
+            self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode=KEYS[name])
         self.drawn()
 
     def pointer(self, x, y):

@@ -4,6 +4,7 @@ Needs nothing but Python; with numpy and VTK the lumen can be turned on the page
 """
 
 from report.comparison_page import write as write_comparison
+from report.group import is_study
 from report.run_page import write
 
-__all__ = ["write", "write_comparison"]
+__all__ = ["is_study", "write", "write_comparison"]

@@ -48,9 +48,13 @@ def levels(stress, top):
     return np.where(known, np.clip(np.nan_to_num(stress) / top * LEVELS, 0, LEVELS).round(), UNKNOWN).astype(np.uint8)
 
 
-def _top(stress):
+def _stress(stress):
+    """A stress for the page; None where none is known. What is above its top has the colour of the top."""
     known = stress[np.isfinite(stress)]
-    return float(max(np.percentile(known, 99), 1e-9)) if known.size else None
+    if not known.size:
+        return None
+    top = float(max(np.percentile(known, 99), 1e-9))
+    return {"top_Pa": top, "more": bool(known.max() > 1.01 * top), "data": packed(levels(stress, top))}
 
 
 def _grid(frames, folder):
@@ -63,7 +67,6 @@ def _grid(frames, folder):
     )
     radius = np.where(np.isfinite(radius), radius, np.nanmean(radius))
     low, high = radius.min(), max(radius.max(), radius.min() + 1e-9)
-    top = _top(stress)
     return {
         "kind": "grid",
         "around": AROUND,
@@ -75,7 +78,7 @@ def _grid(frames, folder):
             "high_mm": 1e3 * high,
             "data": packed(planes(np.round((radius - low) / (high - low) * 65535))),
         },
-        "stress": top and {"top_Pa": top, "data": packed(levels(stress, top))},
+        "stress": _stress(stress),
         "struts": packed(np.packbits(struts)) if struts.any() else None,
         "grows": bool(results.has_tissue(folder) and np.ptp(radius, axis=0).max() > 1e-6),
         "resting_Pa": results.arresting_stress(folder),
@@ -106,7 +109,6 @@ def _surface(frame):
     stress = vtk_to_numpy(surface.GetPointData().GetArray("WSS")).astype(float)[None]
     low, high = points.min(axis=0), points.max(axis=0)
     reach = np.maximum(high - low, 1e-9)
-    top = _top(stress)
     ends = [data.GetFieldData().GetArray(name) for name in ("inletCentre", "outletCentre")]
     return {
         "kind": "surface",
@@ -115,7 +117,7 @@ def _surface(frame):
         "high_mm": high.tolist(),
         "points": packed(planes(np.round((points - low) / reach * 65535).T)),
         "triangles": packed(vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).astype("<u4")),
-        "stress": top and {"top_Pa": top, "data": packed(levels(stress, top))},
+        "stress": _stress(stress),
         "ends_mm": [[1e3 * x for x in end.GetTuple(0)] for end in ends] if all(ends) else None,
         "struts": None,
         "grows": False,

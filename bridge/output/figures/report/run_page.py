@@ -45,6 +45,10 @@ def write(folder, path):
         "curves": Markup(" ") if panels else "",
         "lumen": Markup(" ") if lumen else "",
         "maps": Markup(" ") if lumen and lumen["kind"] == "grid" else "",
+        "growth": Markup(" ") if run.grows else "",
+        "still": Markup(" ") if not run.has_tissue else "",
+        "struts": Markup(" ") if lumen and lumen["struts"] else "",
+        "resting": Markup(" ") if lumen and lumen["resting_Pa"] and lumen["stress"] else "",
         "values": table_of_values(run),
         "columns": all_columns(run),
         "pictures": pictures(folder),
@@ -102,15 +106,21 @@ def tiles(run):
 
 
 def table_of_values(run):
+    if not run.has_tissue:  # one state, on no day of its own
+        rows = [(one.label, one.shown(one.last(run)), _meaning(one)) for one in measures.of(run)]
+        return table(("", "value", "what it is"), rows, ("", "number", "meaning")) if rows else ""
     rows = []
     for measure in measures.of(run):
-        meaning = joined((measure.meaning, " ", element("code", measure.column)))
-        rows.append((measure.label, measure.shown(measure.first(run)), measure.shown(measure.last(run)), meaning))
+        rows.append((measure.label, measure.shown(measure.first(run)), measure.shown(measure.last(run)), _meaning(measure)))
         if measure is measures.DIAMETER and (loss := measures.late_loss(run)) is not None and run.grows:
             row = ("Late lumen loss", numerals.NONE, f"{numerals.shown(loss)} mm", "smallest diameter of day 0, less that of the last day")
             rows.append(row)
     day = numerals.shown(run.last("day"))
     return table(("", "day 0", f"day {day}", "what it is"), rows, ("", "number", "number", "meaning")) if rows else ""
+
+
+def _meaning(measure):
+    return joined((measure.meaning, " ", element("code", measure.column)))
 
 
 def all_columns(run):

@@ -2,6 +2,7 @@
 
 from report import measures, numerals
 
+NO_CHANGE = 0.2  # of the smallest lumen [%]
 ENOUGH_DAYS = 5  # records below which nothing is said of how fast tissue grows
 
 
@@ -47,7 +48,7 @@ def _status(run):
 def _thickness(run):
     if not run.grows or run.last("neointimaThickness_um") is None:
         return ""
-    text = f"It is {measures.THICKNESS.shown(measures.THICKNESS.last(run))} thick in the mean"
+    text = f"New tissue is {measures.THICKNESS.shown(measures.THICKNESS.last(run))} thick in the mean"
     most = measures.THICKEST.last(run)
     return text + (f", and {measures.THICKEST.shown(most)} where it is thickest." if most else ".")
 
@@ -58,11 +59,12 @@ def _narrowing(run):
         return ""
     loss = measures.late_loss(run)
     change = 100 * (now / before - 1)
-    verb = "has narrowed" if change <= -0.05 else "has widened" if change >= 0.05 else "has not changed"
-    by = f" by {numerals.shown(abs(change), 2)} %" if abs(change) >= 0.05 else ""
+    if abs(change) < NO_CHANGE:
+        return f"The smallest lumen is as wide as on day 0, {measures.AREA.shown(now)}."
+    verb = "narrowed" if change < 0 else "widened"
     area = f"from {numerals.shown(before)} to {numerals.shown(now)} mm²"
-    late = f", a late loss of {numerals.shown(loss, 2)} mm in diameter" if loss > 5e-4 else ""
-    return f"The smallest lumen {verb}{by}, {area}{late}."
+    late = f", a late loss of {numerals.shown(loss, 2)} mm in diameter" if loss > 0 else ""
+    return f"The smallest lumen has {verb} by {numerals.shown(abs(change), 2)} %, {area}{late}."
 
 
 def _pace(run):
@@ -91,7 +93,8 @@ def _pace(run):
     if last < 0.7 * fastest:
         peak = f"it was {numerals.shown(fastest, 2)} about day {numerals.shown(when, 2)}"
         return f"Growth is slowing down: {now} at the end; {peak}."
-    return f"It still grows about as fast as ever, {now}: the run ends before growth does."
+    end = ": the run ends before growth does" if run.status == "finished" else ""
+    return f"It still grows about as fast as ever, {now}{end}."
 
 
 def _endothelium(run):
@@ -115,5 +118,6 @@ def _exact(run):
     error = run.summary.get("poiseuille")
     if not error:
         return ""
-    exact, off = numerals.shown(error["exactWss_Pa"]), numerals.shown(100 * abs(error["meanError"]), 2)
-    return f"By Poiseuille's law it is exactly {exact} Pa in this tube: the mean is {off} % off."
+    off = 100 * abs(error["meanError"])
+    said = f"{numerals.shown(off, 2)} %" if off >= 0.01 else "less than 0.01 %"
+    return f"By Poiseuille's law it is {numerals.shown(error['exactWss_Pa'])} Pa in this tube: the mean is {said} off."

@@ -8,7 +8,7 @@ async function stressOf(lumen, vertices) {
   if (!lumen.stress) return null;
   const levels = await unpacked(lumen.stress.data), top = lumen.stress.top_Pa;
   return {
-    key: "stress", name: "wall shear stress", unit: "Pa", map: "stress", low: 0, high: top, open: true,
+    key: "stress", name: "wall shear stress", unit: "Pa", map: "stress", low: 0, high: top, open: lumen.stress.more,
     line: lumen.resting_Pa, lineName: "at rest above",
     at: (frame, vertex) => {
       const level = levels[frame * vertices + vertex];
@@ -40,6 +40,8 @@ async function gridLumen(lumen) {
     ...lumen, frames, vertices, radius, strut, angle, place, hasStruts: bits !== null,
     quantities: quantities.filter((quantity) => quantity),
     width_mm: 2 * high,
+    reach: Math.hypot(lumen.length_mm, 2 * high) / 2,
+    from: [0.28, 0.34, 1], // where it is looked at from
     // x along the vessel, z towards the eye: the vertex of row r (angle) and column c is r * along + c
     position: (frame, vertex) => {
       const r = radius(frame, vertex), theta = angle(Math.floor(vertex / lumen.along));
@@ -61,14 +63,18 @@ async function gridLumen(lumen) {
 }
 
 async function surfaceLumen(lumen) {
-  const [whole] = joinedPlanes(await unpacked(lumen.points), 1);
-  const vertices = whole.length / 3, bytes = await unpacked(lumen.triangles);
+  const whole = joinedPlanes(await unpacked(lumen.points), 3);
+  const vertices = whole[0].length, bytes = await unpacked(lumen.triangles);
   const middle = lumen.low_mm.map((low, k) => (low + lumen.high_mm[k]) / 2);
-  const coordinate = (k, vertex) => lumen.low_mm[k] + (whole[k * vertices + vertex] / 65535) * (lumen.high_mm[k] - lumen.low_mm[k]) - middle[k];
+  const extents = lumen.high_mm.map((high, k) => high - lumen.low_mm[k]);
+  const shallow = extents.indexOf(Math.min(...extents));
+  const coordinate = (k, vertex) => lumen.low_mm[k] + (whole[k][vertex] / 65535) * extents[k] - middle[k];
   return {
     ...lumen, frames: 1, vertices, hasStruts: false, strut: () => false,
     quantities: [await stressOf(lumen, vertices)].filter((quantity) => quantity),
-    length_mm: Math.max(...lumen.high_mm.map((high, k) => high - lumen.low_mm[k])),
+    length_mm: Math.max(...extents),
+    reach: Math.hypot(...extents) / 2,
+    from: extents.map((_, k) => (k === shallow ? 1 : 0.25)), // along which it reaches least far
     width_mm: null,
     position: (_, vertex) => [0, 1, 2].map((k) => coordinate(k, vertex)),
     triangles: () => new Uint32Array(bytes.buffer),

@@ -52,9 +52,9 @@ class Space {
   lookAt() {
     this.geometry.computeBoundingSphere();
     const half = (this.camera.fov * Math.PI) / 360;
-    this.reach = this.lumen.kind === "grid" ? Math.hypot(this.lumen.length_mm, this.lumen.width_mm) / 2 : this.lumen.length_mm / 2;
+    this.reach = this.lumen.reach;
     this.back = ((this.lumen.kind === "grid" ? 1.25 : 1.12) * this.reach) / Math.sin(half);
-    this.camera.position.set(0.28, 0.34, 1).setLength(this.back);
+    this.camera.position.set(...this.lumen.from).setLength(this.back);
     this.controls.update();
   }
 
