@@ -48,7 +48,8 @@ std::string nameOf(const fs::path& folder) {
 fs::path defaultPage(const std::vector<fs::path>& folders) {
   if (folders.size() == 1) return folders.front() / "report.html";
   std::string name = "report";
-  for (std::size_t n = 0; n < std::min(folders.size(), mostNames); ++n) name += "-" + nameOf(folders[n]);
+  for (std::size_t n = 0; n < std::min(folders.size(), mostNames); ++n)
+    name.append("-").append(nameOf(folders[n]));
   if (folders.size() > mostNames) name += fmt::format("-and-{}-more", folders.size() - mostNames);
   return (fs::absolute(folders.front()).lexically_normal() / "").parent_path().parent_path() /
          (name + ".html");

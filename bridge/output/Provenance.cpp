@@ -22,15 +22,16 @@ std::string shellWord(const std::string& word) {
            std::string_view("_-./=,+:@%").find(c) != std::string_view::npos;
   };
   if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  std::string quoted;
+  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string_view(&c, 1));
+  return fmt::format("'{}'", quoted);
 }
 
 std::string commandLine() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::string text;
-  for (std::string word; std::getline(file, word, '\0');) text += (text.empty() ? "" : " ") + shellWord(word);
+  for (std::string word; std::getline(file, word, '\0');)
+    text.append(text.empty() ? "" : " ").append(shellWord(word));
   return text;
 }
 

@@ -19,6 +19,10 @@ def percent(share):
     return NONE if share is None else f"{shown(100 * share)} %"
 
 
+def times(count):
+    return "once" if count == 1 else f"{count:,} times"
+
+
 def duration(seconds):
     if seconds < 100:
         return f"{shown(seconds)} s"

@@ -159,8 +159,8 @@ def plan(run):
     done = run.summary.get("flow", {}).get("solvesDone")
     text = table(("", "part", "when, or why not"), rows, ("", "name", "")) if rows else ""
     if done is not None and skipped:
-        why = joined((f"{count} times because {reason}" for reason, count in skipped.items()), "; ")
-        text = joined((text, element("p", f"The flow was solved {done} times, and left out ", why, ".")))
+        why = joined((f"{numerals.times(count)} because {reason}" for reason, count in skipped.items()), "; ")
+        text = joined((text, element("p", f"The flow was solved {numerals.times(done)}, and left out ", why, ".")))
     return text
 
 
@@ -192,5 +192,6 @@ def differences(run):
     rows = [
         (element("code", entry["key"]), entry["value"], entry["default"] or "required", entry["meaning"])
         for entry in run.summary.get("differsFromDefaults", ())
+        if entry["key"] != "scene.title"
     ]
     return table(("key", "here", "default", "what it is"), rows, ("", "name", "name", "meaning")) if rows else ""
