@@ -52,7 +52,10 @@ std::vector<DefaultDifference> defaultDifferences(const Scene& scene, const Unit
   std::vector<DefaultDifference> found;
   copy.forEachSection([&](auto& section, bool present) {
     if (!present) return;
-    std::remove_reference_t<decltype(section)> defaults;
+    using Section = std::remove_reference_t<decltype(section)>;
+    Section defaults;
+    if constexpr (requires { Section::forFidelity(scene.scene.fidelity); })
+      defaults = Section::forFidelity(scene.scene.fidelity);
     ValueTexts here(section.section, units), there(section.section, units);
     section.describe(here);
     defaults.describe(there);

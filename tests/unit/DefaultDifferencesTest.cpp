@@ -32,5 +32,19 @@ TEST(DefaultDifferences, AreWhatTheSceneHasThatTheDefaultsHaveNot) {
       found, [](const DefaultDifference& one) { return one.key.starts_with("mechanics."); }));
 }
 
+TEST(DefaultDifferences, AreFromWhatTheFidelityStandsFor) {
+  Scene scene;
+  scene.scene.fidelity = "draft";
+  scene.coupling = CouplingParameters::forFidelity("draft");
+  scene.foam = FoamSettings::forFidelity("draft");
+  scene.foam->wallLevel += 1;
+  const auto found = defaultDifferences(scene, Units());
+  const auto isOf = [](std::string_view section) {
+    return [section](const DefaultDifference& one) { return one.key.starts_with(section); };
+  };
+  EXPECT_TRUE(std::ranges::none_of(found, isOf("coupling.")));
+  EXPECT_EQ(std::ranges::count_if(found, isOf("foam.")), 1);
+}
+
 }  // namespace
 }  // namespace restenosis
