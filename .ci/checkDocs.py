@@ -30,7 +30,7 @@ FOLDERS = {str(parent) for name in FILES for parent in pathlib.PurePosixPath(nam
 BASENAMES = {name.rsplit("/", 1)[-1] for name in FILES}
 SCHEMA = "docs/guide/schema.md"
 MOST_COLUMNS = 6
-COMMANDS = ["run", "check", "compare", "tradeoff", "bench", "schema"]
+COMMANDS = ["run", "check", "compare", "tradeoff", "report", "bench", "schema"]
 
 findings = []
 

@@ -13,6 +13,7 @@
 #include "bridge/app/CompareCommand.h"
 #include "bridge/app/ExitStatus.h"
 #include "bridge/app/ProcessSetup.h"
+#include "bridge/app/ReportCommand.h"
 #include "bridge/app/RunCommand.h"
 #include "bridge/app/SchemaCommand.h"
 #include "bridge/app/StandardOutput.h"
@@ -48,6 +49,7 @@ int runCommand(int argc, char** argv) {
   addCheckCommand(app, status);
   addCompareCommand(app, status);
   addTradeoffCommand(app, status);
+  addReportCommand(app, status);
   addSchemaCommand(app, status);
   addBenchCommand(app, status);
   if (argc == 1) {

@@ -6,7 +6,7 @@
 
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
+#include "bridge/output/PlannedPart.h"
 
 namespace restenosis {
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "bridge/coupling/CostForecast.h"
 #include "bridge/coupling/GrowthStep.h"
 #include "bridge/coupling/Instant.h"
@@ -14,17 +12,12 @@
 
 namespace restenosis {
 
-namespace {
-
-/// What each part says of itself for the scene.
 std::vector<PlannedPart> plannedParts(const Scene& scene) {
   std::vector<PlannedPart> plan = WallPreparation::explain(scene);
   for (const PartEntry& entry : growthStep())
     for (PlannedPart& part : entry.explain(scene)) plan.push_back(std::move(part));
   return plan;
 }
-
-}  // namespace
 
 std::string surfacesText(const Scene& scene) {
   std::string text;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "bridge/output/PlannedPart.h"
 #include "bridge/scene/Scene.h"
 
 namespace restenosis {
@@ -10,6 +12,9 @@ namespace restenosis {
 /// with their area, place and origin, of a stent its struts. Empty where there are none. Throws as makeStent
 /// does.
 std::string surfacesText(const Scene& scene);
+
+/// What each part of a run says of itself for the scene. Throws as makeStent does.
+std::vector<PlannedPart> plannedParts(const Scene& scene);
 
 /// What `check` says of a scene: what is modelled, which parts of a run run when and which do not and why
 /// (each part explains itself), agents (struts included; of a loaded wall those of its

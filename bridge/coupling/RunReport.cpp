@@ -3,11 +3,13 @@
 #include <vector>
 
 #include "bridge/coupling/FlowForecast.h"
+#include "bridge/coupling/Plan.h"
 #include "bridge/coupling/parts/CrossCheckPart.h"
 #include "bridge/output/ProfileCsv.h"
 #include "bridge/output/SummaryJson.h"
 #include "bridge/output/ThicknessMapCsv.h"
 #include "bridge/scene/SceneFingerprint.h"
+#include "bridge/scene/Units.h"
 #include "tissue/agents/StateArchive.h"
 #include "tissue/biology/StateCounts.h"
 
@@ -17,7 +19,8 @@ RunReport::RunReport(RunState& state, const RunOptions& options)
     : state_(state),
       quantities_(state.quantities),
       options_(options),
-      sceneFingerprint_(sceneFingerprint(state.scene)) {}
+      sceneFingerprint_(sceneFingerprint(state.scene)),
+      plan_(plannedParts(state.scene)) {}
 
 void RunReport::progress(const Instant& now) const {
   const StateCounts counts = countStates(quantities_.wall.agents);
@@ -102,6 +105,9 @@ void RunReport::writeSummary(const std::string& status, const Schedule* schedule
   summary.poiseuille = poiseuille();
   summary.parts = state_.timer.costs();
   summary.remarks = state_.remarks;
+  summary.plan = plan_;
+  summary.differences = defaultDifferences(scene, Units());
+  summary.provenance = provenance_;
   writeSummaryJson(state_.folder.summary(), summary);
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bridge/coupling/Instant.h"
 #include "bridge/coupling/RunOptions.h"
@@ -9,6 +10,8 @@
 #include "bridge/coupling/Schedule.h"
 #include "bridge/coupling/parts/RecordPart.h"
 #include "bridge/flow/PoiseuilleError.h"
+#include "bridge/output/PlannedPart.h"
+#include "bridge/output/Provenance.h"
 
 namespace restenosis {
 
@@ -32,7 +35,10 @@ class RunReport {
   RunState& state_;
   Quantities& quantities_;
   const RunOptions& options_;
-  std::string sceneFingerprint_;  ///< of when the run was started or resumed
+  // Of when the run was started or resumed: files that the scene names may have changed since
+  std::string sceneFingerprint_;
+  std::vector<PlannedPart> plan_;
+  Provenance provenance_ = Provenance::ofThisProcess();
 };
 
 }  // namespace restenosis

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bridge/coupling/PlannedPart.h"
 #include "bridge/coupling/RunOptions.h"
 #include "bridge/coupling/RunState.h"
+#include "bridge/output/PlannedPart.h"
 
 namespace restenosis {
 

@@ -45,7 +45,8 @@ void removeLinks(const fs::path& results) {
        {"vessel", "section", "growth", "lumen", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
     for (const char* kind : {".png", ".partial.png", ".pdf", ".partial.pdf"})
       removeIfLink(results / (std::string(picture) + kind));
-  for (const char* text : {"report.html", "figures.log", "view.pvsm", "view.pvsm.partial"})
+  for (const char* text :
+       {"report.html", "report.html.partial", "figures.log", "view.pvsm", "view.pvsm.partial"})
     removeIfLink(results / text);
 }
 
@@ -66,11 +67,43 @@ Figures::Figures(std::string interpreter, fs::path script, std::chrono::seconds 
     : interpreter_(std::move(interpreter)), script_(std::move(script)), limit_(limit) {}
 
 std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stopRequested) const {
-  const fs::path log = results / "figures.log";
-  std::string reason;
   try {
     removeLinks(results);
-    const OwnFolder own(results / ".figures");
+  } catch (const std::runtime_error& error) {
+    return fmt::format("no pictures: {}", error.what());
+  }
+  return run({.what = "pictures",
+              .incomplete = "not all pictures were drawn",
+              .arguments = {fs::absolute(results)},
+              .folder = results / ".figures",
+              .log = results / "figures.log"},
+             stopRequested);
+}
+
+std::string Figures::writePage(std::span<const fs::path> results, const fs::path& page,
+                               const std::atomic<bool>* stopRequested) const {
+  const std::string name = page.string();
+  Task task{.what = "page",
+            .incomplete = "the page was not written",
+            .arguments = {"--page", fs::absolute(page)},
+            .folder = name + ".figures",
+            .log = name + ".log"};
+  for (const fs::path& folder : results) task.arguments.push_back(fs::absolute(folder));
+  try {
+    for (const fs::path& file : {page, fs::path(name + ".partial"), task.log}) removeIfLink(file);
+  } catch (const std::runtime_error& error) {
+    return fmt::format("no page: {}", error.what());
+  }
+  const std::string problem = run(task, stopRequested);
+  std::error_code ignored;
+  if (problem.empty()) fs::remove(task.log, ignored);
+  return problem;
+}
+
+std::string Figures::run(const Task& task, const std::atomic<bool>* stopRequested) const {
+  std::string reason;
+  try {
+    const OwnFolder own(task.folder);
     ExternalProgram python(interpreter_);
     python.stopWhen(stopRequested).stopAfter(limit_);
     for (const char* variable : {"MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
@@ -79,21 +112,22 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
         [](std::string_view variable) { return variable == "MATPLOTLIBRC" || variable.starts_with("MPL"); });
     // -I: nothing that the user has set or installed for other programs; -B: no compiled files beside the
     // script, which lies in the user's source tree
-    const ProgramExit end =
-        python.run({"-I", "-B", "-X", "utf8", fs::absolute(script_), fs::absolute(results)}, own.path(), log);
-    if (end.interrupted()) return "pictures were given up: interrupted";
+    std::vector<std::string> words{"-I", "-B", "-X", "utf8", fs::absolute(script_)};
+    words.insert(words.end(), task.arguments.begin(), task.arguments.end());
+    const ProgramExit end = python.run(words, own.path(), task.log);
+    if (end.interrupted()) return fmt::format("{} given up: interrupted", task.what);
     if (end.late)
-      return fmt::format("pictures were given up after {} s; see {}", limit_.count(), log.string());
+      return fmt::format("{} given up after {} s; see {}", task.what, limit_.count(), task.log.string());
     if (end.succeeded()) return "";
-    reason = lastLine(log);
+    reason = lastLine(task.log);
     if (reason.empty()) reason = fmt::format("{}: {}", interpreter_, end.describe());
   } catch (const ProgramMissing& error) {
-    return fmt::format("no pictures: {} (install python3, or name another with RESTENOSIS_PYTHON)",
+    return fmt::format("no {}: {} (install python3, or name another with RESTENOSIS_PYTHON)", task.what,
                        error.what());
   } catch (const std::runtime_error& error) {
-    return fmt::format("no pictures: {}", error.what());
+    return fmt::format("no {}: {}", task.what, error.what());
   }
-  return fmt::format("not all pictures were drawn: {} (see {})", reason, log.string());
+  return fmt::format("{}: {} (see {})", task.incomplete, reason, task.log.string());
 }
 
 }  // namespace restenosis

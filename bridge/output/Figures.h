@@ -3,7 +3,9 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace restenosis {
 
@@ -22,7 +24,23 @@ class Figures {
   std::string draw(const std::filesystem::path& results,
                    const std::atomic<bool>* stopRequested = nullptr) const;
 
+  /// Writes one page of a run, or of several runs and studies side by side, to `page`. Returns what kept it
+  /// from being written, as `draw` does; the log is beside the page until it is written.
+  std::string writePage(std::span<const std::filesystem::path> results, const std::filesystem::path& page,
+                        const std::atomic<bool>* stopRequested = nullptr) const;
+
  private:
+  /// What is asked of the package.
+  struct Task {
+    std::string what;        ///< "pictures"
+    std::string incomplete;  ///< what is said where it fails: "not all pictures were drawn"
+    std::vector<std::string> arguments;
+    std::filesystem::path folder;  ///< that the task may use, and removes
+    std::filesystem::path log;
+  };
+  /// Has it done; returns what went wrong, empty where nothing did.
+  std::string run(const Task& task, const std::atomic<bool>* stopRequested) const;
+
   std::string interpreter_;
   std::filesystem::path script_;
   std::chrono::seconds limit_;  ///< a process that takes longer is ended

@@ -131,6 +131,32 @@ Json poiseuille(const Summary& summary) {
           {"endsLeftOut_mm", 1e3 * error.endMargin}};
 }
 
+Json plan(const Summary& summary) {
+  auto parts = Json::array();
+  for (const PlannedPart& part : summary.plan)
+    parts.push_back({{"part", part.name}, {"runs", part.runs}, {"explanation", part.explanation}});
+  return parts;
+}
+
+Json differences(const Summary& summary) {
+  auto keys = Json::array();
+  for (const DefaultDifference& one : summary.differences)
+    keys.push_back({{"key", one.key},
+                    {"value", one.value},
+                    {"default", one.byDefault.empty() ? Json() : Json(one.byDefault)},
+                    {"meaning", one.meaning}});
+  return keys;
+}
+
+Json provenance(const Summary& summary) {
+  const Provenance& made = summary.provenance;
+  return {{"command", made.command},
+          {"workingFolder", made.workingFolder},
+          {"host", made.host},
+          {"started", made.started},
+          {"ended", timeNow()}};
+}
+
 Json partCosts(const Summary& summary) {
   auto parts = Json::object();
   for (const auto& [name, cost] : summary.parts) {
@@ -173,6 +199,9 @@ void writeSummaryJson(const std::filesystem::path& file, const Summary& summary)
   for (const auto& [name, cost] : summary.parts) total += cost.seconds;
   json["totalSeconds"] = total;
   json["remarks"] = summary.remarks;
+  json["plan"] = plan(summary);
+  json["differsFromDefaults"] = differences(summary);
+  json["provenance"] = provenance(summary);
   // Titles and messages may hold bytes that are not UTF-8; they must not cost a finished run its summary.
   atomicWrite(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

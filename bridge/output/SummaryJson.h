@@ -9,7 +9,10 @@
 #include "bridge/flow/PoiseuilleError.h"
 #include "bridge/output/CrossCheckRecord.h"
 #include "bridge/output/PartTimer.h"
+#include "bridge/output/PlannedPart.h"
+#include "bridge/output/Provenance.h"
 #include "bridge/output/TimeSeriesRow.h"
+#include "bridge/scene/DefaultDifferences.h"
 #include "tissue/stent/DeploymentStatistics.h"
 #include "tissue/stent/Injury.h"
 #include "tissue/vessel/WallPacking.h"
@@ -40,6 +43,9 @@ struct Summary {
   std::optional<PoiseuilleError> poiseuille;  ///< in scenes where the exact stress is known
   std::map<std::string, PartCost> parts;
   std::vector<std::string> remarks;  ///< warnings and retries of all parts
+  std::vector<PlannedPart> plan;
+  std::vector<DefaultDifference> differences;  ///< of the scene, from the defaults
+  Provenance provenance;
 };
 
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
@@ -48,7 +54,8 @@ struct Summary {
 /// anew by reason), crossCheck (method, number, time, and the ranges of what it found; null without),
 /// relaxation (iterations during growth, forces computed, the largest residual after the
 /// last one), poiseuille (errors, null where the exact stress is not known), parts (seconds and peak memory),
-/// totalSeconds, remarks. Throws WriteFailed.
+/// totalSeconds, remarks, plan (each part: whether it runs, and when or why not), differsFromDefaults (of the
+/// scene), provenance (command, folder, host, time). Throws WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -35,6 +35,9 @@ Summary example() {
   summary.flowMeshesMoved = 3;
   summary.flowRemeshed = {{"there was no former mesh", 1}, {"the wall moved too far", 1}};
   summary.parts["flow"] = {12.5, 300 << 20, 500 << 20, 5};
+  summary.plan = {{"flow", true, "when the lumen has moved"}, {"nitric oxide", false, "no [endothelium]"}};
+  summary.differences = {{"scene.seed", "7", "1", "seed"}, {"vessel.length", "2 mm", "", "length"}};
+  summary.provenance = Provenance::ofThisProcess();
   return summary;
 }
 
@@ -51,6 +54,12 @@ TEST(SummaryJson, SaysWhatTheContractAsks) {
   EXPECT_EQ(json["final"]["day"], 10.0);
   EXPECT_NEAR(json["final"]["neointimaThickness_um"].get<double>(), 51.0, 1e-9);
   EXPECT_TRUE(json["final"]["wssMean_Pa"].is_null());
+  EXPECT_EQ(json["plan"][1]["runs"], false);
+  EXPECT_EQ(json["plan"][1]["explanation"], "no [endothelium]");
+  EXPECT_EQ(json["differsFromDefaults"][0]["default"], "1");
+  EXPECT_TRUE(json["differsFromDefaults"][1]["default"].is_null());
+  EXPECT_NE(json["provenance"]["command"].get<std::string>(), "");
+  EXPECT_EQ(json["provenance"]["started"].get<std::string>().size(), 20u);
   EXPECT_EQ(json["packing"]["cells"], 60000);
   EXPECT_NEAR(json["packing"]["ielMeanRadialMoveOnRelease_um"].get<double>(), -0.012, 1e-9);
   EXPECT_EQ(json["packing"]["cellsOutsideLaminae"], 0);

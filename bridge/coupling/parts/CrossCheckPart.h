@@ -8,7 +8,7 @@
 #include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
+#include "bridge/output/PlannedPart.h"
 
 namespace restenosis {
 

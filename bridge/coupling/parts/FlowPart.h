@@ -9,8 +9,8 @@
 #include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
 #include "bridge/flow/FlowBackend.h"
+#include "bridge/output/PlannedPart.h"
 #include "tissue/biology/ArrestRules.h"
 
 namespace restenosis {

@@ -8,8 +8,8 @@
 #include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
 #include "bridge/output/CrossCheckRecord.h"
+#include "bridge/output/PlannedPart.h"
 #include "bridge/output/PvdSeries.h"
 #include "bridge/output/TimeSeries.h"
 

@@ -6,7 +6,7 @@
 #include "bridge/coupling/LumenExtraction.h"
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
+#include "bridge/output/PlannedPart.h"
 #include "tissue/equilibrium/Relaxation.h"
 #include "tissue/vessel/EndPlanes.h"
 #include "tissue/vessel/OuterConfinement.h"

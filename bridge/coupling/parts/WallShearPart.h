@@ -5,7 +5,7 @@
 
 #include "bridge/coupling/Part.h"
 #include "bridge/coupling/PartContext.h"
-#include "bridge/coupling/PlannedPart.h"
+#include "bridge/output/PlannedPart.h"
 
 namespace restenosis {
 

@@ -1,11 +1,13 @@
 """Draws the pictures of a results folder of restenosisFoam.
 
     /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
+    /usr/bin/python3 -I -B bridge/output/figures --page PAGE RESULTS...
 
 Writes vessel.png, growth.png, section.png, lumen.png and lumen3d.png, of a lumen from a file without tissue only the
 last, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
 all of it; growth, section and lumen as PDF too; view.pvsm is the same for ParaView. In the folder of a comparison it writes compareMaps.png and
-compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that. Needs Debian's python3-matplotlib and
+compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that; with --page the page alone, of one run or of
+several runs and studies side by side. Needs Debian's python3-matplotlib and
 python3-vtk9, and xvfb where there is no display. The page is written without the pictures that cannot be drawn. Exit
 status 0 when every picture that the results allow was drawn; otherwise the last line printed says what is missing.
 
@@ -121,7 +123,22 @@ def write_page(folder):
     return []
 
 
+def write_page_of(folders, path):
+    """Writes a page of one run, or of several and of studies; returns the exit status."""
+    try:
+        if len(folders) == 1 and not report.is_study(folders[0]):
+            report.write(folders[0], path)
+        else:
+            report.write_comparison(folders, path)
+    except NothingToDraw as reason:
+        print(reason, file=sys.stderr)
+        return 1
+    return 0
+
+
 def main():
+    if len(sys.argv) > 3 and sys.argv[1] == "--page":
+        return write_page_of([Path(folder) for folder in sys.argv[3:]], Path(sys.argv[2]))
     if len(sys.argv) not in (2, 3):
         print("usage: figures RESULTS [PICTURE]", file=sys.stderr)
         return 2

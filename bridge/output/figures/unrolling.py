@@ -7,14 +7,30 @@ AXIAL, AROUND = 160, 180
 
 def unrolled(lumen, values, length):
     """Mean of the triangles' values on a grid over (theta, z); NaN where no triangle lies."""
-    centres = lumen["vertices"][lumen["triangles"]].mean(axis=1)
-    theta = np.arctan2(centres[:, 1], centres[:, 0])
-    known = np.isfinite(values)
-    box = [[-np.pi, np.pi], [0, length]]
-    place = (theta[known], centres[known, 2])
-    sums = np.histogram2d(*place, bins=(AROUND, AXIAL), range=box, weights=values[known])[0]
-    counts = np.histogram2d(*place, bins=(AROUND, AXIAL), range=box)[0]
-    return fill(np.where(counts > 0, sums / np.maximum(counts, 1), np.nan))
+    return Unrolling(lumen, length).of(values)
+
+
+class Unrolling:
+    """A grid over (theta, z), and the place of each triangle of a lumen in it; `bins`: around and along."""
+
+    def __init__(self, lumen, length, bins=(AROUND, AXIAL)):
+        self.bins = bins
+        centres = lumen["vertices"][lumen["triangles"]].mean(axis=1)
+        around = (np.arctan2(centres[:, 1], centres[:, 0]) + np.pi) / (2 * np.pi)
+        rows, columns = (
+            np.clip((share * count).astype(int), 0, count - 1)
+            for share, count in zip((around, centres[:, 2] / length), bins)
+        )
+        self.place = rows * bins[1] + columns
+        self.radius = np.hypot(centres[:, 0], centres[:, 1])
+
+    def of(self, values):
+        """Mean of the triangles' values."""
+        known = np.isfinite(values)
+        place, size = self.place[known], self.bins[0] * self.bins[1]
+        sums = np.bincount(place, weights=values[known], minlength=size)
+        counts = np.bincount(place, minlength=size)
+        return fill(np.where(counts > 0, sums / np.maximum(counts, 1), np.nan).reshape(self.bins))
 
 
 def fill(grid):

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace restenosis {
+
+/// `report DIR...`: the page of a run anew, or one of several runs and studies side by side.
+void addReportCommand(CLI::App& app, int& status);
+
+}  // namespace restenosis
