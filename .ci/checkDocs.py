@@ -15,8 +15,10 @@ import json
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 
 # Words that have a plainer one. They are sought in the folders of WORDS_SOUGHT_IN: comments and texts alike.
 WORDS = ["anew", "asleep", "awake", "calm", "cramped", "doubts?", "firm", "leash", "looks?", "nobody", "pieces?", "restless",
@@ -29,6 +31,7 @@ FILES = {name for name in TRACKED if name and (ROOT / name).exists()}
 FOLDERS = {str(parent) for name in FILES for parent in pathlib.PurePosixPath(name).parents} - {"."}
 BASENAMES = {name.rsplit("/", 1)[-1] for name in FILES}
 SCHEMA = "docs/guide/schema.md"
+TUTORIAL = "docs/guide/tutorial"
 MOST_COLUMNS = 6
 COMMANDS = ["run", "check", "compare", "tradeoff", "report", "bench", "schema"]
 
@@ -238,6 +241,27 @@ def checkSchema(program):
         find(SCHEMA, 1, f"not current; {program} schema --markdown > {SCHEMA} makes it")
 
 
+def checkCitation():
+    cmake = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"project\(restenosisFoam VERSION ([\d.]+)", cmake)[1]
+    if f"\nversion: {version}\n" not in (ROOT / "CITATION.cff").read_text(encoding="utf-8"):
+        find("CITATION.cff", 1, f"not of version {version}, which CMakeLists.txt has")
+
+
+def checkTutorial(program):
+    """The tutorial shows its scenes as they are, and the program accepts them with the lumen of its script."""
+    page = (ROOT / f"{TUTORIAL}.md").read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / TUTORIAL, folder, dirs_exist_ok=True)
+        subprocess.run([sys.executable, "lumen.py"], cwd=folder, check=True)
+        for scene in sorted(pathlib.Path(folder).glob("*.toml")):
+            checked = subprocess.run([program, "check", scene.name], cwd=folder, capture_output=True, text=True)
+            if checked.returncode:
+                find(f"{TUTORIAL}/{scene.name}", 1, checked.stderr.strip())
+            if scene.read_text(encoding="utf-8") not in page:
+                find(f"{TUTORIAL}.md", 1, f"does not show {scene.name} as it is")
+
+
 def checkMentions():
     """Pages that code and scenes name."""
     for name in sorted(FILES):
@@ -277,6 +301,8 @@ def main():
             checkTables(page)
     if program:
         checkSchema(program)
+        checkTutorial(program)
+    checkCitation()
     checkMeasured()
     checkMentions()
     checkWords()

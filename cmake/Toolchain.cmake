@@ -9,7 +9,7 @@ endif()
 
 # No -ffast-math: results must not depend on how loops were reassociated, and NaN checks must work.
 # -fno-math-errno and -fno-trapping-math let square roots vectorise and change no result.
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -march=native -fno-math-errno
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -march=${RESTENOSIS_PROCESSOR} -fno-math-errno
                     -fno-trapping-math)
 # Vectors wider than the processor's registers are passed between functions of one build only.
 add_compile_options(-Wno-psabi)

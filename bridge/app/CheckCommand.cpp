@@ -11,15 +11,21 @@ namespace restenosis {
 
 void addCheckCommand(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("check", "validate a scene and print the plan; runs nothing");
-  auto arguments = std::make_shared<SceneArguments>();
-  arguments->addTo(*command);
-  arguments->addFlowTo(*command);
+  struct Arguments {
+    SceneArguments scene;
+    bool json = false, quiet = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  arguments->scene.addTo(*command);
+  arguments->scene.addFlowTo(*command);
+  auto* json = command->add_flag("--json", arguments->json, "the plan as JSON, for programs");
+  command->add_flag("-q,--quiet", arguments->quiet, "say only what is wrong")->excludes(json);
   command->callback([arguments, &status] {
-    const auto scene = arguments->read();
-    if (scene) {
-      std::cout << planText(*scene);
-    } else {
+    const auto scene = arguments->scene.read();
+    if (!scene) {
       status = ExitStatus::wrongInput;
+    } else if (!arguments->quiet) {
+      std::cout << (arguments->json ? planJson(*scene) : planText(*scene));
     }
   });
 }

@@ -190,7 +190,7 @@ int tryCompare(const CompareArguments& arguments) {
         const auto probes = arguments.probes.empty() ? std::vector<Vec3>() : readProbes(arguments.probes);
         return compare(*scene, arguments, outputFolder(arguments, scene->name), std::move(given), probes);
       },
-      {.interrupted = "interrupted"});
+      {.interrupted = [](const Interrupted& end) { return std::string(end.what()); }});
 }
 
 }  // namespace

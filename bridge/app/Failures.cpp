@@ -9,7 +9,6 @@
 #include "bridge/app/ComparedLumen.h"
 #include "bridge/app/ExitStatus.h"
 #include "bridge/compare/ProbeTable.h"
-#include "bridge/coupling/Run.h"
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/output/ResultsFolder.h"
 
@@ -37,8 +36,8 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
     std::cerr << fmt::format("\nThe flow failed: {}\n", error.what());
     if (!error.log.empty()) std::cerr << fmt::format("Read {}. ", error.log.string());
     std::cerr << advice.flowFailed << '\n';
-  } catch (const Interrupted&) {
-    std::cerr << fmt::format("\n{}\n", advice.interrupted);
+  } catch (const Interrupted& error) {
+    std::cerr << fmt::format("\n{}\n", advice.interrupted(error));
   } catch (const std::bad_alloc&) {
     std::cerr
         << "\nout of memory: a coarser coupling.surfaceResolution, mesh or lattice, or a smaller vessel "

@@ -4,13 +4,15 @@
 #include <string>
 #include <string_view>
 
+#include "bridge/coupling/RunOptions.h"
 #include "bridge/output/Checkpoint.h"
 
 namespace restenosis {
 
 /// What a command adds to the reason of its end.
 struct Advice {
-  std::string_view interrupted;      ///< all there is to say when the user has ended it
+  /// All there is to say when the user has ended it.
+  std::function<std::string(const Interrupted&)> interrupted;
   std::string_view flowFailed = {};  ///< how to go on
   /// What sets the checkpoint's scene apart.
   std::function<std::string(const CheckpointRefused&)> foreignCheckpoint = {};

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "bridge/app/ExitStatus.h"
 #include "bridge/app/Failures.h"
@@ -16,11 +18,11 @@
 #include "bridge/coupling/FlowForecast.h"
 #include "bridge/coupling/Plan.h"
 #include "bridge/coupling/Run.h"
+#include "bridge/coupling/RunHeader.h"
 #include "bridge/output/Checkpoint.h"
 #include "bridge/output/Figures.h"
 #include "bridge/output/Progress.h"
 #include "bridge/output/ResultsFolder.h"
-#include "bridge/output/Version.h"
 #include "bridge/scene/SceneFiles.h"
 #include "bridge/scene/SceneFingerprint.h"
 #include "bridge/scene/SceneReader.h"
@@ -28,6 +30,7 @@
 #include "bridge/scene/Units.h"
 #include "bridge/system/AtomicFile.h"
 #include "bridge/system/PrintableOutput.h"
+#include "bridge/system/ShellCommand.h"
 
 namespace restenosis {
 namespace {
@@ -39,6 +42,8 @@ struct RunArguments {
   int ranks = 1;
   bool resume = false;
   bool flowFromRest = false;
+  bool quiet = false, verbose = false;
+  std::vector<std::string> commandLine;  ///< as the user gave it
 };
 
 void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
@@ -118,44 +123,51 @@ void requireFilesElsewhere(const Scene& scene, const std::filesystem::path& fold
   }
 }
 
-/// What is about to run, in a line or two.
-std::string headerText(const Scene& scene, const RunArguments& arguments,
-                       const std::filesystem::path& folder) {
-  const std::string flow =
-      noFlowBecause(scene).empty()
-          ? fmt::format("flow by {} ({})", scene.flow->backend, scene.scene.fidelity) +
-                (arguments.ranks > 1 ? fmt::format(" on {} processes", arguments.ranks) : std::string())
-          : std::string("no flow");
-  return fmt::format("restenosisFoam {}\n{}: {}\n{}; threads: {}; results: {}", version(), scene.name,
-                     scene.scene.title, flow, threadCount(arguments.threads), folder.string());
+/// What is known before the run begins.
+void sayWhatIsKnown(const Scene& scene, int ranks) {
+  std::cerr << surfacesText(scene);
+  if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
+    for (const std::string& remark : scene.remarks) std::cerr << remark << '\n';
+  for (const std::string& known : flowForecast(scene, ranks))
+    std::cerr << fmt::format("The flow, once it is due, {}\n", known);
 }
 
 int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
-  std::cerr << surfacesText(scene);
-  if (scene.vessel.lumenSurface.empty())  // of a file the run says and records them
-    for (const std::string& remark : scene.remarks) std::cerr << remark << '\n';
-  for (const std::string& known : flowForecast(scene, arguments.ranks))
-    std::cerr << fmt::format("The flow, once it is due, {}\n", known);
-  Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
+  if (!arguments.quiet) sayWhatIsKnown(scene, arguments.ranks);
+  std::ostream nowhere(nullptr);
+  Progress progress(arguments.quiet ? nowhere : PrintableOutput::terminal(),
+                    !arguments.quiet && Progress::onTerminal(), scene.scene.duration);
+  if (arguments.verbose) progress.showEverything();
   const RunOptions options{.threads = threadCount(arguments.threads),
                            .ranks = arguments.ranks,
                            .stopRequested = &stopOnSignals(),
                            .flowFromRest = arguments.flowFromRest};
   Run run(scene, folder, progress, options);
   if (arguments.resume) run.resume();
-  progress.message(headerText(scene, arguments, path));
+  progress.message(runHeader(scene, {.threads = options.threads, .ranks = options.ranks, .results = path}));
   atomicWrite(folder.scene(), writeScene(scene, Units()));
   run.go();
   if (scene.output.pictures) {
     const std::string obstacle = Figures().draw(folder.path(), options.stopRequested);
     if (!obstacle.empty()) std::cerr << obstacle << '\n';
   }
-  printPoiseuille(run);
-  nameResults(folder, run, scene.output.pictures);
+  if (!arguments.quiet) {
+    printPoiseuille(run);
+    nameResults(folder, run, scene.output.pictures);
+  }
   return ExitStatus::done;
+}
+
+/// Where an interrupted run stands, and how to go on.
+std::string interruptedText(const Interrupted& end, const RunArguments& arguments) {
+  std::vector<std::string> again = arguments.commandLine;
+  if (!arguments.resume) again.emplace_back("--resume");
+  const std::string command = shellCommand(again);
+  if (end.saved.empty()) return fmt::format("interrupted, nothing saved yet: begin again with `{}`", command);
+  return fmt::format("interrupted, saved at {}: go on with `{}`", end.saved, command);
 }
 
 int tryRun(const RunArguments& arguments) {
@@ -163,19 +175,21 @@ int tryRun(const RunArguments& arguments) {
   if (!scene) return ExitStatus::wrongInput;
   return exitStatusOf(
       [&] { return runScene(*scene, arguments); },
-      {.interrupted = "interrupted; go on with --resume",
+      {.interrupted = [&](const Interrupted& end) { return interruptedText(end, arguments); },
        .flowFailed = "Results so far are kept; go on with --resume, with another scene.fidelity or other "
                      "settings in [foam] or [lbm] if these are the cause.",
-       .foreignCheckpoint = [&](const CheckpointRefused& refused) {
-         return differencesFrom(resultsPath(*scene, arguments), *scene, refused);
-       }});
+       .foreignCheckpoint =
+           [&](const CheckpointRefused& refused) {
+             return differencesFrom(resultsPath(*scene, arguments), *scene, refused);
+           }});
 }
 
 }  // namespace
 
-void addRunCommand(CLI::App& app, int& status) {
+void addRunCommand(CLI::App& app, int& status, std::span<const char* const> commandLine) {
   auto* command = app.add_subcommand("run", "run a scene");
   auto arguments = std::make_shared<RunArguments>();
+  arguments->commandLine.assign(commandLine.begin(), commandLine.end());
   arguments->scene.addTo(*command);
   arguments->scene.addFlowTo(*command);
   command
@@ -191,6 +205,11 @@ void addRunCommand(CLI::App& app, int& status) {
                  "where the OpenFOAM case that the checkpoint goes on from is lost or changed, go on all the "
                  "same: the next flow is solved from rest on a new mesh, and the results say so")
       ->needs(resume);
+  auto* quiet = command->add_flag("-q,--quiet", arguments->quiet, "say only what is wrong");
+  command
+      ->add_flag("-v,--verbose", arguments->verbose,
+                 "show every step, and what the flow does, on lines of their own")
+      ->excludes(quiet);
   command->callback([arguments, &status] { status = tryRun(*arguments); });
 }
 

@@ -97,7 +97,9 @@ int trySweep(const TradeoffArguments& arguments) {
         if (scene->hasLoadedLumen()) loadedLumen(*scene);
         return sweep(*scene, arguments, folder, settings, *scenes);
       },
-      {.interrupted = "interrupted; the same command goes on with the runs"});
+      {.interrupted = [](const Interrupted& end) {
+        return fmt::format("{}; the same command goes on with the runs", end.what());
+      }});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +46,7 @@ int runCommand(int argc, char** argv) {
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);
   int status = ExitStatus::done;
-  addRunCommand(app, status);
+  addRunCommand(app, status, std::span<const char* const>(argv, static_cast<std::size_t>(argc)));
   addCheckCommand(app, status);
   addCompareCommand(app, status);
   addTradeoffCommand(app, status);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,10 +11,14 @@
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/LumenShape.h"
 #include "bridge/flow/foam/CellEstimate.h"
+#include "bridge/output/DurationText.h"
 #include "bridge/scene/LoadedWall.h"
+#include "bridge/scene/SceneBiology.h"
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/LumenGrid.h"
 #include "bridge/surface/SceneStent.h"
+#include "tissue/biology/Biology.h"
+#include "tissue/parameters/SecondsPerDay.h"
 #include "tissue/vessel/AgentCounts.h"
 #include "tissue/vessel/AgentTable.h"
 #include "tissue/vessel/WallTable.h"
@@ -47,7 +52,16 @@ double strutAgents(const Scene& scene) {
   return scene.stent ? static_cast<double>(makeStent(*scene.stent, scene.vessel).spheres.size()) : 0;
 }
 
-/// Of the lumen of a scene without tissue, and its straight ends.
+/// Of struts pressed in, what is about in the lumen's view: their inner side and half of their flanks [m^2].
+double strutArea(const Scene& scene) {
+  if (!scene.stent || !scene.hasTissue()) return 0;
+  double area = 0;
+  for (const StrutSegment& segment : makeStent(*scene.stent, scene.vessel).segments)
+    area += segment.length() * (segment.width + segment.thickness);
+  return area;
+}
+
+/// The lumen as the scene gives it, with its straight ends.
 LumenSize lumenSize(const Scene& scene) {
   using std::numbers::pi;
   const double ends = scene.flow->straightEnds;  // each of the two
@@ -56,6 +70,7 @@ LumenSize lumenSize(const Scene& scene) {
     const double diameter = scene.vessel.lumenDiameter, length = scene.vessel.length + 2 * ends;
     size.wallArea = pi * diameter * length;
     size.volume = size.wallArea * diameter / 4;
+    size.strutArea = strutArea(scene);
     return size;
   }
   const TriSurface lumen = loadLumen(scene.vessel);
@@ -72,6 +87,34 @@ LumenSize lumenSize(const Scene& scene) {
   return size;
 }
 
+/// Solves a day of growth, from when the first cell is covered: 3.6 in `quick`, 1.2 in `porcineInjury2`.
+constexpr double fewSolvesADay = 1, manySolvesADay = 4;
+
+/// How often the flow is likely to be solved: once without tissue, at most as often as the lumen is looked
+/// at.
+void setSolves(FlowCost& flow, const Scene& scene) {
+  if (!scene.hasTissue()) return;
+  const double onset = Biology(biologySettings(scene)).endotheliumOnset();
+  const bool always = scene.coupling.scheduleMode() == ScheduleMode::everyStep;
+  std::uint32_t looks = 0;
+  for (std::uint32_t step = 0; step <= stepCount(scene.scene); ++step) {
+    const Instant now = instantOf(scene, step);
+    if (always || (now.time >= onset && now.takesLumen)) ++looks;
+  }
+  looks = std::max(looks, 1U);
+  const double days = std::max(0.0, scene.scene.duration - onset) / secondsPerDay;
+  const auto likely = [&](double aDay) {
+    return always ? looks : static_cast<std::uint32_t>(std::clamp(std::ceil(aDay * days), 1.0, 1.0 * looks));
+  };
+  flow.fewSolves = likely(fewSolvesADay);
+  flow.manySolves = likely(manySolvesADay);
+}
+
+/// "8 to 29", or one where both are the same.
+std::string rangeText(const std::string& few, const std::string& many) {
+  return few == many ? few : fmt::format("{} to {}", few, many);
+}
+
 /// Agents of the wall that is packed: as many as its shape is given.
 double packedAgents(const Scene& scene) {
   const VesselParameters& vessel = scene.vessel;
@@ -81,43 +124,63 @@ double packedAgents(const Scene& scene) {
 
 }  // namespace
 
-std::string flowCostText(const Scene& scene) {
-  if (scene.hasTissue()) return "";
-  if (!noFlowBecause(scene).empty()) return "no agents, no flow\n";
+std::optional<FlowCost> flowCost(const Scene& scene) {
+  if (!noFlowBecause(scene).empty()) return std::nullopt;
   const LumenSize lumen = lumenSize(scene);
   const CostEstimate cost;
-  const auto text = [&](double pieces, const char* name, double bytes, double seconds) {
-    return fmt::format(
-        "no agents; about {:.2g} {}, {:.0f} MB, {:.0f} s on two cores for the one solve (rough "
-        "estimates)\n",
-        pieces, name, (cost.solverBytes + bytes * pieces) / 1e6, seconds * pieces);
+  const auto of = [&](double pieces, std::string_view kind, double bytes, double seconds) {
+    FlowCost flow{pieces, kind, cost.solverBytes + bytes * pieces, seconds * pieces};
+    setSolves(flow, scene);
+    return flow;
   };
   if (scene.flow->backend == flowBackendNames::foam)
-    return text(expectedCells(lumen, scene.foamSettings()), "cells", cost.bytesPerCell, cost.secondsPerCell);
+    return of(expectedCells(lumen, scene.foamSettings()), "cells", cost.bytesPerCell, cost.secondsPerCell);
   if (scene.flow->backend == flowBackendNames::lbm)
-    return text(lumen.volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
-                cost.secondsPerLatticeNode);
-  return text(lumen.wallArea / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
+    return of(lumen.volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
+              cost.secondsPerLatticeNode);
+  return of(lumen.wallArea / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
 }
 
-std::string tissueCostText(const Scene& scene) {
-  if (!scene.hasTissue()) return "";
+std::optional<TissueCost> tissueCost(const Scene& scene) {
+  if (!scene.hasTissue()) return std::nullopt;
   const CostEstimate cost;
-  const bool loaded = !scene.vessel.agents.empty();
-  const AgentStore wall = loaded ? readAgentTable(scene.vessel.agents).agents : AgentStore();
-  const double ofWall = loaded ? wall.size() : packedAgents(scene);
-  const double agents = ofWall + strutAgents(scene);
-  const double packing = loaded ? 0 : cost.packSecondsPerAgent;
+  TissueCost tissue;
+  tissue.counted = !scene.vessel.agents.empty();
+  const AgentStore wall = tissue.counted ? readAgentTable(scene.vessel.agents).agents : AgentStore();
+  tissue.struts = strutAgents(scene);
+  tissue.agents = (tissue.counted ? wall.size() : packedAgents(scene)) + tissue.struts;
+  const double packing = tissue.counted ? 0 : cost.packSecondsPerAgent;
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
-  const double seconds = agents * (packing + deploySteps * cost.deploySecondsPerStep +
-                                   (scene.cellCycle ? stepCount(scene.scene) * cost.growSecondsPerStep : 0));
-  const double bytes = cost.programBytes + agents * cost.bytesPerAgent +
-                       static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;
-  std::string text = fmt::format(
-      "{}{:.0f} agents{}, {:.0f} MB, {:.0f} s on two cores without flow (rough estimates)\n",
-      loaded ? "" : "about ", agents,
-      agents > ofWall ? fmt::format(" ({:.0f} of them struts)", agents - ofWall) : "", bytes / 1e6, seconds);
-  if (const std::string ends = remarkOnOpenEnds(scene.vessel, wall); !ends.empty()) text += ends + "\n";
+  tissue.seconds = tissue.agents * (packing + deploySteps * cost.deploySecondsPerStep +
+                                    (scene.cellCycle ? stepCount(scene.scene) * cost.growSecondsPerStep : 0));
+  tissue.bytes = cost.programBytes + tissue.agents * cost.bytesPerAgent +
+                 static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;
+  tissue.openEnds = remarkOnOpenEnds(scene.vessel, wall);
+  return tissue;
+}
+
+std::string costText(const Scene& scene) {
+  const std::optional<FlowCost> flow = flowCost(scene);
+  const std::optional<TissueCost> tissue = tissueCost(scene);
+  if (!tissue && !flow) return "no agents, no flow\n";
+  if (!tissue) {
+    return fmt::format(
+        "no agents; about {:.2g} {}, {:.0f} MB, {} on two cores for the one solve (rough estimates)\n",
+        flow->pieces, flow->kind, flow->bytes / 1e6, durationText(flow->secondsASolve));
+  }
+  std::string text =
+      fmt::format("{}{:.0f} agents{}, {:.0f} MB, {} on two cores without flow (rough estimates)\n",
+                  tissue->counted ? "" : "about ", tissue->agents,
+                  tissue->struts > 0 ? fmt::format(" ({:.0f} of them struts)", tissue->struts) : "",
+                  tissue->bytes / 1e6, durationText(tissue->seconds));
+  if (flow) {
+    text += fmt::format("flow: about {:.2g} {}, {:.0f} MB, {} a solve; {} solves are likely: {}\n",
+                        flow->pieces, flow->kind, flow->bytes / 1e6, durationText(flow->secondsASolve),
+                        rangeText(std::to_string(flow->fewSolves), std::to_string(flow->manySolves)),
+                        rangeText(durationText(flow->fewSolves * flow->secondsASolve),
+                                  durationText(flow->manySolves * flow->secondsASolve)));
+  }
+  if (!tissue->openEnds.empty()) text += tissue->openEnds + "\n";
   return text;
 }
 

@@ -1,17 +1,39 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "bridge/scene/Scene.h"
 
 namespace restenosis {
 
-/// Memory and time of the one solve in a lumen without tissue, estimated; empty where there is tissue, whose
-/// lumen changes. A line.
-std::string flowCostText(const Scene& scene);
+/// What the flow of a scene will take, estimated from one solve in the lumen as the scene gives it.
+struct FlowCost {
+  double pieces = 0;
+  std::string_view kind;                        ///< what these are: cells, lattice nodes, places on the wall
+  double bytes = 0;                             ///< of the solver
+  double secondsASolve = 0;                     ///< with the mesh, on one process or two threads
+  std::uint32_t fewSolves = 1, manySolves = 1;  ///< likely, where the tissue decides how often
+};
 
-/// Agents, memory and time of the tissue, or empty where there is none; and what is to be said of a loaded
-/// wall. Throws as makeStent does.
-std::string tissueCostText(const Scene& scene);
+/// What the tissue of a scene will take without its flow.
+struct TissueCost {
+  double agents = 0;     ///< with those of the struts
+  double struts = 0;     ///< of these
+  bool counted = false;  ///< in a table, not estimated
+  double bytes = 0;
+  double seconds = 0;    ///< on two cores
+  std::string openEnds;  ///< what is to be said of a loaded wall; or empty
+};
+
+/// Nothing where no flow is solved. Throws as loadLumen does.
+std::optional<FlowCost> flowCost(const Scene& scene);
+/// Nothing where there is no tissue. Throws as makeStent does.
+std::optional<TissueCost> tissueCost(const Scene& scene);
+
+/// Both in words, a line each.
+std::string costText(const Scene& scene);
 
 }  // namespace restenosis

@@ -55,6 +55,9 @@ class Part {
 
   virtual void run(const Instant& now) = 0;
 
+  /// Whether running may take so long that the state before it is worth saving.
+  virtual bool takesLong() const { return false; }
+
   /// Whether anything it reads has been written since it last ran.
   bool hasNewInput() const;
   /// It has run: what it reads is known to it.

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
 #include "bridge/coupling/CostForecast.h"
 #include "bridge/coupling/GrowthStep.h"
 #include "bridge/coupling/Instant.h"
@@ -41,7 +45,41 @@ std::string planText(const Scene& scene) {
   for (const PlannedPart& part : plannedParts(scene))
     text +=
         fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, printable(part.explanation));
-  return text + flowCostText(scene) + tissueCostText(scene);
+  return text + costText(scene);
+}
+
+std::string planJson(const Scene& scene) {
+  nlohmann::ordered_json plan;
+  plan["scene"] = scene.file.string();
+  plan["title"] = scene.scene.title;
+  plan["vessel"] = {{"length_mm", scene.vessel.length * 1e3},
+                    {"lumenDiameter_mm", scene.vessel.lumenDiameter * 1e3}};
+  plan["days"] = scene.scene.duration / secondsPerDay;
+  plan["steps"] = stepCount(scene.scene);
+  plan["fidelity"] = scene.scene.fidelity;
+  plan["surfaces"] = scene.lumenParts;
+  plan["remarks"] = scene.remarks;
+  plan["parts"] = nlohmann::ordered_json::array();
+  for (const PlannedPart& part : plannedParts(scene))
+    plan["parts"].push_back({{"name", part.name}, {"runs", part.runs}, {"explanation", part.explanation}});
+  plan["tissue"] = nullptr;
+  if (const auto tissue = tissueCost(scene)) {
+    plan["tissue"] = {{"agents", std::llround(tissue->agents)},
+                      {"strutAgents", std::llround(tissue->struts)},
+                      {"memory_MB", tissue->bytes / 1e6},
+                      {"seconds", tissue->seconds}};
+  }
+  plan["flow"] = nullptr;
+  if (const auto flow = flowCost(scene)) {
+    plan["flow"] = {{"backend", scene.flow->backend},
+                    {"pieces", std::llround(flow->pieces)},
+                    {"kind", flow->kind},
+                    {"memory_MB", flow->bytes / 1e6},
+                    {"secondsASolve", flow->secondsASolve},
+                    {"likelySolves", {flow->fewSolves, flow->manySolves}}};
+  }
+  // Names of files may be no UTF-8
+  return plan.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace restenosis

@@ -37,12 +37,12 @@ void Run::go() {
     recordOcclusion();
   } catch (const Interrupted&) {
     endAs("interrupted");
-    throw;
+    throw Interrupted(saved_);
   } catch (const FlowFailed&) {
     // Programs that were asked to end may say that they failed
     const bool asked = options_.askedToStop();
     endAs(asked ? "interrupted" : "failed");
-    if (asked) throw Interrupted();
+    if (asked) throw Interrupted(saved_);
     throw;
   } catch (const std::exception&) {
     endAs("failed");
@@ -66,7 +66,7 @@ void Run::deploy() {
   if (scene_.stent) {
     preparation_.deploy(deploymentSteps_, [this] {
       stopIfAsked();
-      saveWhenDue(false);
+      if (checkpoint_.due()) save();
     });
   }
   if (scene_.hasTissue()) preparation_.injureAndConfine();
@@ -85,8 +85,11 @@ void Run::grow() {
   for (;; ++nextStep_) {
     const Instant now = instantOf(scene_, nextStep_);
     stopIfAsked();
-    saveWhenDue(now.last || nextToMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step));
-    schedule_->advance(now);  // growthStep: relax, expose, cover, take the lumen, solve the flow, ..., cycle
+    const bool regular =
+        now.last || nextToMultiple(now.time, scene_.output.checkpointInterval, scene_.scene.step);
+    if (regular || checkpoint_.due()) save();
+    // growthStep: relax, expose, cover, take the lumen, solve the flow, ..., cycle
+    schedule_->advance(now, [&] { beforeSolve(now); });
     // It takes as long as a step; tissue that rests does not come to such contacts between them
     if ((now.step == 0 || now.last) && scene_.hasTissue())
       remarkOnContactLaw(state_, fmt::format("on day {:.4g}", day()));
@@ -135,6 +138,8 @@ void Run::resume() {
   }
   // It is of an end that is none any more
   std::filesystem::remove(folder_.summary());
+  saved_ = place();
+  state_.progress.message(fmt::format("resuming from {}", saved_));
   if (stage_ == Stage::growing) record_->begin();
 }
 
@@ -149,10 +154,14 @@ void Run::archive(Archive& a) {
 
 void Run::save() {
   checkpoint_.save([this](StreamingArchive& state) { archive(state); });
+  saved_ = place();
 }
 
-void Run::saveWhenDue(bool regular) {
-  checkpoint_.saveWhenDue(regular, [this](StreamingArchive& state) { archive(state); });
+void Run::beforeSolve(const Instant& now) {
+  // The last step has been saved at its start: with a longer duration, what runs before the flow may be less
+  if (now.last) return;
+  stopIfAsked();
+  if (checkpoint_.dueBeforeSolve()) save();
 }
 
 void Run::stopIfAsked() {
@@ -162,6 +171,12 @@ void Run::stopIfAsked() {
 }
 
 double Run::day() const { return nextStep_ * scene_.scene.step / secondsPerDay; }
+
+std::string Run::place() const {
+  if (stage_ == Stage::deploying && scene_.stent)
+    return fmt::format("step {} of {} of deployment", deploymentSteps_, scene_.stent->deploymentSteps);
+  return fmt::format("day {:.2f}", day());
+}
 
 void Run::recordOcclusion() {
   const Instant now = instantOf(scene_, nextStep_);

@@ -47,9 +47,11 @@ class Run {
   void buildSchedule();
 
   void save();
-  void saveWhenDue(bool regular);
+  void beforeSolve(const Instant& now);
   void stopIfAsked();
   double day() const;
+  /// Where the state stands, for messages: "day 3.00".
+  std::string place() const;
   /// Records the state in which the lumen has closed.
   void recordOcclusion();
   /// Says in summary.json how a run came to its end before its time.
@@ -73,6 +75,7 @@ class Run {
   std::int32_t deploymentSteps_ = 0;  ///< done
   std::uint32_t nextStep_ = 0;
   std::string status_ = "running";
+  std::string saved_;  ///< place of the state in the checkpoint; empty for none
 };
 
 }  // namespace restenosis

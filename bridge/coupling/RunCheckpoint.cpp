@@ -17,6 +17,9 @@ namespace {
 /// A checkpoint is saved at least this often, whatever the scene's interval: what a kill may cost.
 constexpr std::chrono::seconds longestUnsaved{30};
 
+/// Before a solve it is saved when the work since then has taken this many times as long as saving does.
+constexpr int workPerSaving = 20;
+
 /// Of this program, this machine and what the flow is solved with.
 std::map<std::string, std::string> traitsOf(const Scene& scene) {
   auto traits = buildTraits();
@@ -60,14 +63,19 @@ void RunCheckpoint::compareOrigin(const CheckpointOrigin& before, double day) {
 
 void RunCheckpoint::save(const Checkpoint::StateWriter& state) {
   auto measurement = state_.timer.measure("output");
+  const auto begin = std::chrono::steady_clock::now();
   formerCase_.flush();
   checkpoint_.save(fingerprint_, state);
   lastSaved_ = std::chrono::steady_clock::now();
+  saving_ = lastSaved_ - begin;
   formerCase_.noteInCheckpoint();
 }
 
-void RunCheckpoint::saveWhenDue(bool regular, const Checkpoint::StateWriter& state) {
-  if (regular || std::chrono::steady_clock::now() - lastSaved_ > longestUnsaved) save(state);
+bool RunCheckpoint::due() const { return std::chrono::steady_clock::now() - lastSaved_ > longestUnsaved; }
+
+bool RunCheckpoint::dueBeforeSolve() const {
+  return state_.quantities.flow.solves == 0 ||
+         std::chrono::steady_clock::now() - lastSaved_ > workPerSaving * saving_;
 }
 
 }  // namespace restenosis

@@ -25,8 +25,11 @@ class RunCheckpoint {
 
   /// Throws WriteFailed.
   void save(const Checkpoint::StateWriter& state);
-  /// Saves when the scene's interval is over (`regular`), or when a kill would cost too much.
-  void saveWhenDue(bool regular, const Checkpoint::StateWriter& state);
+  /// Whether a kill would cost too much.
+  bool due() const;
+  /// The same before a flow is solved: before the first, whose cost nobody knows, and before others where
+  /// savings take no more than a share of the run, however cheap the flow.
+  bool dueBeforeSolve() const;
 
  private:
   void compareOrigin(const CheckpointOrigin& before, double day);
@@ -37,6 +40,7 @@ class RunCheckpoint {
   std::string fingerprint_;  ///< of when the run was started or resumed
   FormerFlowCase formerCase_;
   std::chrono::steady_clock::time_point lastSaved_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::duration saving_{};  ///< what saving took the last time
 };
 
 }  // namespace restenosis

@@ -2,12 +2,15 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace restenosis {
 
-/// The user asked the run to stop; its state is in the checkpoint.
+/// The user asked the run to stop.
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted; go on with --resume") {}
+  explicit Interrupted(std::string where = {}) : std::runtime_error("interrupted"), saved(std::move(where)) {}
+  std::string saved;  ///< where the state in the checkpoint stands ("day 3.00"); empty where there is none
 };
 
 /// What `Run::go` may be told beside the scene.

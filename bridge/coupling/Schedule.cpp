@@ -16,19 +16,22 @@ void Schedule::add(std::unique_ptr<Part> part) {
   parts_.push_back(std::move(part));
 }
 
-void Schedule::advance(const Instant& now) {
-  for (std::size_t n = 0; n < parts_.size(); ++n) {
-    if (!parts_[n]->appliesAt(now)) continue;
-    const Verdict verdict = decide(n, now);
-    PartCount& count = counts_[std::string(parts_[n]->name())];
+void Schedule::advance(const Instant& now, const std::function<void()>& beforeLong) {
+  for (; next_ < parts_.size(); ++next_) {
+    Part& part = *parts_[next_];
+    if (!part.appliesAt(now)) continue;
+    const Verdict verdict = decide(next_, now);
+    PartCount& count = counts_[std::string(part.name())];
     if (verdict.yes) {
-      parts_[n]->run(now);
-      parts_[n]->noteInputs();
+      if (beforeLong && part.takesLong()) beforeLong();
+      part.run(now);
+      part.noteInputs();
       ++count.done;
     } else {
       ++count.skipped[verdict.reason];
     }
   }
+  next_ = 0;
 }
 
 Verdict Schedule::decide(std::size_t part, const Instant& now) const {

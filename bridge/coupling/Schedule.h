@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,8 +33,9 @@ class Schedule {
 
   /// Appends a part. Readers come after the writers they read within a step.
   void add(std::unique_ptr<Part> part);
-  /// Makes one step.
-  void advance(const Instant& now);
+  /// Makes one step, or the rest of one: a state that was saved by `beforeLong`, which is called before a
+  /// part that takes long, goes on with that part.
+  void advance(const Instant& now, const std::function<void()>& beforeLong = {});
 
   /// Whether `part` would run now, without running it.
   Verdict decide(std::size_t part, const Instant& now) const;
@@ -49,7 +51,7 @@ class Schedule {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(counts_);
+    a(counts_, next_);
     for (const auto& part : parts_) a(*part);
   }
 
@@ -59,6 +61,7 @@ class Schedule {
   ScheduleMode mode_;
   std::vector<std::unique_ptr<Part>> parts_;
   std::map<std::string, PartCount> counts_;
+  std::uint64_t next_ = 0;  ///< the part that the step goes on with
 };
 
 }  // namespace restenosis

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bridge/system/AtomicFile.h"
+#include "bridge/system/DataFolder.h"
 #include "bridge/system/ExternalProgram.h"
 
 namespace restenosis {
@@ -61,7 +62,7 @@ std::string lastLine(const fs::path& log) {
 
 }  // namespace
 
-Figures::Figures() : Figures(chosenInterpreter(), RESTENOSIS_FIGURES, std::chrono::seconds(300)) {}
+Figures::Figures() : Figures(chosenInterpreter(), dataFolder() / "figures", std::chrono::seconds(300)) {}
 
 Figures::Figures(std::string interpreter, fs::path script, std::chrono::seconds limit)
     : interpreter_(std::move(interpreter)), script_(std::move(script)), limit_(limit) {}

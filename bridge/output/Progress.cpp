@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "bridge/output/DurationText.h"
 #include "tissue/parameters/Printable.h"
 #include "tissue/parameters/SecondsPerDay.h"
 
@@ -27,13 +28,6 @@ std::size_t terminalWidth() {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 100;
 }
 
-std::string durationText(double seconds) {
-  const auto s = static_cast<long>(std::lround(seconds));
-  if (s < 60) return fmt::format("{} s", s);
-  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
-  return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
-}
-
 /// The time of day in so many seconds, where that is not at once.
 std::string clockText(double seconds) {
   if (seconds < 300) return "";
@@ -44,6 +38,11 @@ std::string clockText(double seconds) {
 
 Progress::Progress(std::ostream& out, bool terminal, double duration, std::function<Clock::time_point()> now)
     : out_(out), terminal_(terminal), duration_(duration), now_(std::move(now)) {}
+
+void Progress::showEverything() {
+  terminal_ = false;
+  everything_ = true;
+}
 
 bool Progress::onTerminal() { return ::isatty(STDERR_FILENO) == 1; }
 
@@ -61,7 +60,7 @@ void Progress::step(const ProgressState& s, bool recorded) {
 }
 
 void Progress::flow(const std::string& stage) {
-  if (terminal_) show(fmt::format("{}  flow: {} ...", dayText(), stage), true);
+  if (terminal_ || everything_) show(fmt::format("{}  flow: {} ...", dayText(), stage), true);
 }
 
 std::string Progress::dayText() const {
@@ -82,7 +81,7 @@ void Progress::show(const std::string& line, bool force) {
   const auto now = now_();
   const Clock::duration interval =
       terminal_ ? Clock::duration(terminalInterval) : Clock::duration(plainInterval);
-  if (!force && shown_ && now - *shown_ < interval) return;
+  if (!force && !everything_ && shown_ && now - *shown_ < interval) return;
   shown_ = now;
   if (terminal_) {
     line_ = printable(line).substr(0, std::max<std::size_t>(terminalWidth(), 2) - 1);

@@ -28,6 +28,8 @@ class Progress {
   /// `now` is for tests.
   Progress(std::ostream& out, bool terminal, double duration,
            std::function<Clock::time_point()> now = Clock::now);
+  /// From now on every step, stage and what the flow does is a line of its own.
+  void showEverything();
   /// Whether standard error is a terminal.
   static bool onTerminal();
 
@@ -37,7 +39,7 @@ class Progress {
   /// second.
   void step(const ProgressState& state, bool recorded);
   /// What the flow that is being solved does ("snappyHexMesh"), beside the day of the last step; on a
-  /// terminal only.
+  /// terminal, or where everything is shown.
   void flow(const std::string& stage);
   /// Writes a line of its own, leaving the progress line intact.
   void message(const std::string& message);
@@ -51,6 +53,7 @@ class Progress {
 
   std::ostream& out_;
   bool terminal_;
+  bool everything_ = false;
   double duration_;
   std::function<Clock::time_point()> now_;
   std::optional<Clock::time_point> shown_;

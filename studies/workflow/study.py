@@ -8,7 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "build/release/restenosisFoam"
+BUILT = ROOT / "build/release/restenosisFoam"
+INSTALLED = ROOT.parents[1] / "bin/restenosisFoam"  # where ROOT is share/restenosisFoam
+IS_INSTALLED = INSTALLED.is_file() and not BUILT.is_file()
+PROGRAM = INSTALLED if IS_INSTALLED else BUILT
+RESULTS = (Path.cwd() if IS_INSTALLED else ROOT) / "results"
 ENDED = ("finished", "occluded")
 # Keys of a study: kind, and what holds without it. What has no such value must be there.
 KEYS = {"title": (str, ""), "scenes": (list, None), "seeds": (list, [1]), "threads": (int, 1), "ranks": (int, 1),

@@ -100,8 +100,10 @@ TEST_F(FailingFlow, AProgramThatHangsIsNamedWithItsLogAndEnded) {
   expectResultsKept();
 }
 
+/// And goes on from the day of that solve, with what was printed.
 TEST_F(FailingFlow, AProgramThatHangsCanBeInterrupted) {
-  Process process(command({"run", foamScene(), "-o", "out"}), folder.path(),
+  const std::string text = foamScene(), duration = "scene.duration=74 h";
+  Process process(command({"run", text, "-o", "out", "--set", duration}), folder.path(),
                   {{"PATH", pathWithBlockMesh("echo here; exec sleep 100000")}});
   const auto hangs = [&] {
     if (!exists("out/flow")) return false;
@@ -113,8 +115,19 @@ TEST_F(FailingFlow, AProgramThatHangsCanBeInterrupted) {
   process.send(SIGINT);
   const ProcessEnd end = process.wait(patience);
   EXPECT_EXIT_STATUS(end, 1);
-  EXPECT_NE(end.err.find("interrupted; go on with --resume"), std::string::npos) << end.err;
+  std::smatch said;
+  const std::regex words("\ninterrupted, saved at day 3.00: go on with `(.*)`\n");
+  ASSERT_TRUE(std::regex_search(end.err, said, words)) << end.err;
   EXPECT_EQ(summary("out")["status"], "interrupted");
+
+  RESTENOSIS_NEEDS_OPENFOAM();
+  const ProcessEnd resumed = Process({"/bin/sh", "-c", said[1].str()}, folder.path()).wait(patience);
+  ASSERT_EXIT_STATUS(resumed, 0);
+  EXPECT_NE(resumed.err.find("resuming from day 3.00\n"), std::string::npos) << resumed.err;
+  ASSERT_EXIT_STATUS(run({"run", text, "-o", "reference", "--set", duration}), 0);
+  EXPECT_EQ(digest("out"), digest("reference"));
+  for (const char* counted : {"solvesDone", "solvesSkipped"})
+    EXPECT_EQ(summary("out")["flow"][counted], summary("reference")["flow"][counted]) << counted;
 }
 
 }  // namespace

@@ -28,9 +28,10 @@ class Signals : public WholeProgram {
   static void waitFor(Process& process, Condition condition) {
     while (process.running() && !condition()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  void expectInterrupted(const ProcessEnd& end) const {
+  void expectInterrupted(const ProcessEnd& end, const std::string& saved = ", saved at day ") const {
     EXPECT_EXIT_STATUS(end, 1);
-    EXPECT_NE(end.err.find("interrupted; go on with --resume"), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find("\ninterrupted" + saved), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find(" --resume`\n"), std::string::npos) << end.err;
     EXPECT_EQ(summary("out")["status"], "interrupted");
   }
 };
@@ -67,7 +68,7 @@ TEST_F(Signals, PackingHeedsThem) {
   Process process(command({"run", vessel, "-o", "out"}), folder.path());
   waitFor(process, [&] { return process.errorsSoFar().find("packing the wall") != std::string::npos; });
   process.send(SIGINT);
-  expectInterrupted(process.wait(patience));
+  expectInterrupted(process.wait(patience), ", nothing saved yet: begin again with `");
   EXPECT_FALSE(exists("out/checkpoint/state.bin")) << "it has packed the wall to the end";
 }
 

@@ -75,7 +75,7 @@ TEST_F(Resume, CtrlCSavesTheStateAndSaysHowToGoOn) {
   deploying.send(SIGINT);
   ProcessEnd end = deploying.wait(patience);
   EXPECT_EXIT_STATUS(end, 1);
-  EXPECT_NE(end.err.find("--resume"), std::string::npos) << end.err;
+  EXPECT_NE(end.err.find(" of 24 of deployment: go on with `"), std::string::npos) << end.err;
   EXPECT_FALSE(exists("out/timeSeries.csv")) << "this was to fall into deployment";
 
   Process growing(command({"run", tiny, "-o", "out", "--resume"}), folder.path());

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
+#include "bridge/coupling/CostForecast.h"
+#include "bridge/coupling/Instant.h"
 #include "bridge/coupling/Plan.h"
 #include "bridge/scene/LoadedWall.h"
 #include "bridge/scene/SceneChecks.h"
@@ -103,6 +107,46 @@ TEST(Plan, EstimatesTheOneSolveOfALumenWithoutTissue) {
   EXPECT_NE(planText(scene).find("\nno agents; about 1.1e+05 cells, "), std::string::npos) << planText(scene);
   scene.flow->backend = "lbm";
   EXPECT_NE(planText(scene).find(" lattice nodes, "), std::string::npos) << planText(scene);
+}
+
+TEST(Plan, SaysWhatTheFlowOfGrowingTissueIsLikelyToTake) {
+  Scene scene;
+  scene.scene.duration = 10 * secondsPerDay;
+  scene.scene.step = 3600;
+  scene.mechanics.emplace();
+  scene.cellCycle.emplace();
+  scene.endothelium.emplace().scenario = "3-23 days";
+  scene.flow.emplace().backend = "foam";
+  // From day 3 to day 10
+  EXPECT_NE(planText(scene).find(" a solve; 7 to 28 solves are likely: "), std::string::npos)
+      << planText(scene);
+  scene.coupling.lumenInterval = 12 * 3600;
+  EXPECT_NE(planText(scene).find(" a solve; 7 to 15 solves are likely: "), std::string::npos)
+      << planText(scene);
+  scene.coupling.schedule = "everyStep";
+  EXPECT_NE(planText(scene).find(" a solve; 241 solves are likely: "), std::string::npos) << planText(scene);
+}
+
+TEST(Plan, AsJsonHasTheSameNumbers) {
+  Scene scene;
+  scene.scene.duration = 5 * secondsPerDay;
+  scene.scene.title = "a \xff byte that is no text";
+  EXPECT_TRUE(nlohmann::json::parse(planJson(scene))["tissue"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(planJson(scene))["flow"].is_null());
+  scene.mechanics.emplace();
+  scene.cellCycle.emplace();
+  scene.endothelium.emplace();
+  scene.flow.emplace().backend = "lbm";
+  const auto plan = nlohmann::json::parse(planJson(scene));
+  EXPECT_EQ(plan["steps"], stepCount(scene.scene));
+  EXPECT_EQ(plan["tissue"]["agents"], std::llround(tissueCost(scene)->agents));
+  EXPECT_EQ(plan["flow"]["kind"], "lattice nodes");
+  EXPECT_EQ(plan["flow"]["likelySolves"][1], flowCost(scene)->manySolves);
+  const std::string text = planText(scene);
+  for (const auto& part : plan["parts"]) {
+    EXPECT_NE(text.find(part["name"].get<std::string>()), std::string::npos) << part;
+    EXPECT_NE(text.find(part["explanation"].get<std::string>()), std::string::npos) << part;
+  }
 }
 
 /// The memory that the plan names [MB].

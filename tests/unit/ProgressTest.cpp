@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "bridge/output/Progress.h"
@@ -53,6 +54,18 @@ TEST(Progress, KnowsNoTimeLeftBeforeTheFirstFlowAndCountsFromIt) {
   clock.time += 100s;
   progress.step(onDay(4), true);
   EXPECT_NE(out.str().find("10 min 00 s left, done about "), std::string::npos) << out.str();
+}
+
+TEST(Progress, ShowsEveryStepAndWhatTheFlowDoesOnLinesWhereAsked) {
+  Clock clock;
+  std::ostringstream out;
+  Progress progress(out, true, 10 * 86400, clock.reader());
+  progress.showEverything();
+  for (const double day : {1, 2, 3}) progress.step(onDay(day), false);
+  progress.flow("simpleFoam");
+  EXPECT_EQ(std::ranges::count(out.str(), '\n'), 4) << out.str();
+  EXPECT_EQ(std::ranges::count(out.str(), '\r'), 0) << out.str();
+  EXPECT_NE(out.str().find("day  3.00/10  flow: simpleFoam ...\n"), std::string::npos) << out.str();
 }
 
 TEST(Progress, SaysWhatTheFlowDoesOnATerminalOnly) {

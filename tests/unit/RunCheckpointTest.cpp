@@ -22,10 +22,16 @@ struct RunCheckpointTest : ::testing::Test {
   };
 };
 
-TEST_F(RunCheckpointTest, savesAtTheScenesIntervalsAndElseNotAtOnce) {
-  checkpoint.saveWhenDue(false, seven);
+TEST_F(RunCheckpointTest, isDueBeforeTheFirstSolveAndElseNotAtOnce) {
+  EXPECT_FALSE(checkpoint.due());
+  EXPECT_TRUE(checkpoint.dueBeforeSolve());
+  checkpoint.save(seven);
+  EXPECT_TRUE(checkpoint.dueBeforeSolve());
+}
+
+TEST_F(RunCheckpointTest, keepsWhatItWasGiven) {
   EXPECT_FALSE(checkpoint.exists());
-  checkpoint.saveWhenDue(true, seven);
+  checkpoint.save(seven);
   ASSERT_TRUE(checkpoint.exists());
   int value = 0;
   ReadingArchive read(checkpoint.load().bytes);

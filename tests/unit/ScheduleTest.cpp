@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "bridge/coupling/Schedule.h"
+#include "tissue/agents/StateArchive.h"
 
 namespace restenosis {
 namespace {
@@ -10,6 +11,7 @@ struct Answers {
   Verdict needs = Verdict::run(), changed = Verdict::run();
   int runs = 0;
   bool purpose = false;
+  bool takesLong = false, fails = false;
 };
 
 /// A part that makes one quantity of another.
@@ -24,7 +26,11 @@ struct FakePart : Part {
   bool isPurpose(const Instant&) const override { return answers_.purpose; }
   Verdict needs(Quantity, const Instant&) const override { return answers_.needs; }
   Verdict inputsChanged(const Instant&) const override { return answers_.changed; }
-  void run(const Instant&) override { ++answers_.runs; }
+  void run(const Instant&) override {
+    if (answers_.fails) throw std::runtime_error("killed");
+    ++answers_.runs;
+  }
+  bool takesLong() const override { return answers_.takesLong; }
 
   std::string name_;
   Answers& answers_;
@@ -113,6 +119,39 @@ TEST_F(ScheduleTest, NotesWhatAPartThatRanHasRead) {
   ASSERT_TRUE(ran && skipped);
   EXPECT_FALSE(ran->hasNewInput());
   EXPECT_TRUE(skipped->hasNewInput());
+}
+
+/// A step that is killed in a part that takes long: what was saved before it goes on with that part.
+TEST_F(ScheduleTest, AStateSavedBeforeALongPartGoesOnWithIt) {
+  build(ScheduleMode::onChange);
+  flow.takesLong = flow.fails = true;
+  std::string saved;
+  const auto save = [&] {
+    WritingArchive state;
+    state(*schedule);
+    saved = state.buffer();
+  };
+  EXPECT_THROW(schedule->advance({}, save), std::runtime_error);
+  EXPECT_EQ(surface.runs, 1);
+
+  build(ScheduleMode::onChange);
+  flow.fails = false;
+  ReadingArchive state(saved);
+  state(*schedule);
+  schedule->advance({});
+  EXPECT_EQ(surface.runs, 1) << "it had run";
+  EXPECT_EQ(flow.runs, 1);
+  EXPECT_EQ(nitricOxide.runs, 1);
+  EXPECT_EQ(schedule->counts().at("surface").done, 1u);
+  schedule->advance({});
+  EXPECT_EQ(surface.runs, 2) << "the next step is a whole one";
+}
+
+TEST_F(ScheduleTest, SavesNothingBeforeALongPartThatIsNotDue) {
+  build(ScheduleMode::onChange);
+  flow.takesLong = true;
+  flow.changed = Verdict::skip("lumen moved less than its tolerance");
+  schedule->advance({}, [] { FAIL() << "it does not run"; });
 }
 
 }  // namespace

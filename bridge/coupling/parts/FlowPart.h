@@ -32,6 +32,7 @@ class FlowPart : public Part {
   Verdict inputsChanged(const Instant& now) const override;
   /// Throws FlowFailed, or Occluded when the lumen has closed.
   void run(const Instant& now) override;
+  bool takesLong() const override { return true; }
 
   /// Digests of what a solve would read of a former case, as it is now; empty where that is nothing. Throws
   /// std::runtime_error where it cannot be read.

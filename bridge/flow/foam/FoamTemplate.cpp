@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bridge/system/DataFolder.h"
+
 namespace restenosis {
 
 namespace fs = std::filesystem;
@@ -37,24 +39,14 @@ std::string missingPart(const fs::path& folder) {
 }  // namespace
 
 fs::path foamTemplate() {
-  std::vector<fs::path> candidates;
-  if (const char* folder = std::getenv("RESTENOSIS_FOAM_CASE")) {
-    candidates = {folder};
-  } else {
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-    if (!ignored) candidates.push_back(program.parent_path().parent_path() / "share/restenosisFoam/foamCase");
-    candidates.push_back(RESTENOSIS_FOAM_CASE_DIR);
-  }
-  std::string tried;
-  for (const auto& folder : candidates) {
-    const std::string missing = missingPart(folder);
-    if (missing.empty()) return folder;
-    tried += fmt::format("{} {} (lacks {})", tried.empty() ? "" : ",", folder.string(), missing);
-  }
-  throw std::runtime_error(fmt::format(
-      "there is no whole OpenFOAM case template in{}; RESTENOSIS_FOAM_CASE names the folder of another",
-      tried));
+  const char* chosen = std::getenv("RESTENOSIS_FOAM_CASE");
+  const fs::path folder = chosen ? fs::path(chosen) : dataFolder() / "foamCase";
+  const std::string missing = missingPart(folder);
+  if (missing.empty()) return folder;
+  throw std::runtime_error(
+      fmt::format("there is no whole OpenFOAM case template in {} (lacks {}); RESTENOSIS_FOAM_CASE names the "
+                  "folder of another",
+                  folder.string(), missing));
 }
 
 std::string missingFoamTemplate() {

@@ -6,10 +6,8 @@
 
 namespace restenosis {
 
-/// The folder of the OpenFOAM case template: $RESTENOSIS_FOAM_CASE where set, else
-/// share/restenosisFoam/foamCase beside the installed program, else foamCase in the source tree the program
-/// was built from. Throws std::runtime_error, naming the folders tried and what they lack, where none holds a
-/// whole template.
+/// The folder of the OpenFOAM case template: $RESTENOSIS_FOAM_CASE where set, else foamCase in dataFolder().
+/// Throws std::runtime_error, naming the folder and what it lacks, where it holds no whole template.
 std::filesystem::path foamTemplate();
 
 /// What foamTemplate would throw, as the end of a sentence; empty where there is a template.

@@ -1,0 +1,20 @@
+# `cpack --preset package`, or `cpack` in a build tree: a Debian package. What the program is linked with is found by
+# dpkg-shlibdeps; what it starts is named here.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME restenosisfoam)
+set(CPACK_PACKAGE_CONTACT "the restenosisFoam founders <founders@restenosisfoam.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "in-stent restenosis: growing tissue coupled to blood flow")
+set(CPACK_PACKAGE_DESCRIPTION "restenosisFoam simulates how tissue grows back into a coronary artery after a stent:
+an agent model of the wall, coupled to blood flow by OpenFOAM or by a lattice Boltzmann method of its own.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "openfoam, openmpi-bin, python3, python3-matplotlib, python3-numpy, python3-vtk9")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS xvfb)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, snakemake, python3-scipy, python3-openturns")
+if(RESTENOSIS_PROCESSOR STREQUAL "x86-64-v3")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/preinst)
+endif()
+include(CPack)
