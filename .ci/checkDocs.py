@@ -6,8 +6,9 @@
 Links between pages and their anchors; files, keys of a scene, scenes, presets and tests that text and commands name;
 pages that code names. Tables of docs/ and README.md have at most six columns, those of docs/results hold what
 bench/data says, and no page of docs/ names a commit.
-With PROGRAM (build/release/restenosisFoam) also the options of its commands, and that docs/guide/schema.md is what
-`PROGRAM schema --markdown` prints. Every finding is a line, and the exit status is 1 where there is one.
+CITATION.cff has the version of CMakeLists.txt. With PROGRAM (build/release/restenosisFoam) also the options of its
+commands, that docs/guide/schema.md is what `PROGRAM schema --markdown` prints, and that PROGRAM accepts the scenes of
+the tutorial. Every finding is a line, and the exit status is 1 where there is one.
 """
 import fnmatch
 import itertools
