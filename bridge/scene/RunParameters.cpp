@@ -22,8 +22,7 @@ struct Level {
 };
 
 /// Measured in docs/results/coupling.md.
-constexpr std::array levels = {Level{"draft", 20e-6, 6 * 3600},
-                               Level{"standard", 10e-6, 0},
+constexpr std::array levels = {Level{"draft", 20e-6, 6 * 3600}, Level{"standard", 10e-6, 0},
                                Level{"reference", 5e-6, 0}};
 
 constexpr std::array keysOfLevels = {"coupling.lumenTolerance", "coupling.lumenInterval"};
@@ -93,13 +92,14 @@ void CouplingParameters::describe(ParameterVisitor& p) {
             .source = "model 9",
             .description = "solve the flow when its answer may have changed, "
                            "or at every step (T6)"});
-  p.quantity(lumenTolerance, {.key = "lumenTolerance",
-                              .unit = "um",
-                              .minimum = 0,
-                              .maximum = 1000,
-                              .source = "assumed",
-                              .description = "movement of the lumen below which the last flow still holds; 20 um at "
-                                             "draft, 5 um at reference"});
+  p.quantity(lumenTolerance,
+             {.key = "lumenTolerance",
+              .unit = "um",
+              .minimum = 0,
+              .maximum = 1000,
+              .source = "assumed",
+              .description = "movement of the lumen below which the last flow still holds; 20 um at "
+                             "draft, 5 um at reference"});
   p.quantity(lumenInterval,
              {.key = "lumenInterval",
               .unit = "h",

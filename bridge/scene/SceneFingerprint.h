@@ -18,8 +18,8 @@ std::map<std::string, std::string> sceneValues(const Scene& scene);
 std::map<std::string, std::string> decisiveValues(const Scene& scene);
 
 /// Of these, what may not change in the course of a run: without what only says how accurately the flow is
-/// computed and how often, which are `scene.fidelity`, [foam], [lbm] and the keys of [coupling] that a fidelity
-/// decides.
+/// computed and how often, which are `scene.fidelity`, [foam], [lbm] and the keys of [coupling] that a
+/// fidelity decides.
 std::map<std::string, std::string> lastingValues(const Scene& scene);
 
 /// What the `lastingValues` of two scenes differ in: "section.key", or "[section]" for one that only one of

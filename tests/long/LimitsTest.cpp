@@ -1,5 +1,5 @@
-// How far each method goes, step by step to its end: an error against what is known exactly, or a refusal. bench/run
-// reads what these tests record, and docs/results/limits.md shows it.
+// How far each method goes, step by step to its end: an error against what is known exactly, or a refusal.
+// bench/run reads what these tests record, and docs/results/limits.md shows it.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -197,14 +197,14 @@ TEST_F(Limits, StepsOfDeployment) {
     SmallDeployment s;
     s.stent.deploymentSteps = steps;
     Wall wall = packWall(s.vessel, s.mechanics, s.relaxation, 1);
-    Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics, s.relaxation);
+    Deployment deployment(wall, stentOfDesign(s.stent, s.vessel), s.stent, s.vessel, s.mechanics,
+                          s.relaxation);
     deployment.run([](const Deployment&, const RelaxationReport&) {});
     if (strutsWentThrough(deployment.statistics())) throw Never("struts went through the wall");
     double sum = 0;
     Index n = 0;
     for (Index i = 0; i < wall.agents.size(); ++i)
-      if (wall.agents.kind[i] == AgentKind::iel)
-        sum += std::hypot(wall.agents.x[i], wall.agents.y[i]), ++n;
+      if (wall.agents.kind[i] == AgentKind::iel) sum += std::hypot(wall.agents.x[i], wall.agents.y[i]), ++n;
     return sum / n;
   };
   const double reference = innerRadius(200), depth = SmallDeployment().stent.deploymentDepth;

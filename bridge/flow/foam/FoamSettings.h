@@ -24,7 +24,7 @@ struct FoamSettings {
   std::int64_t snapIterations = 5;                ///< of moving the mesh's wall onto the surface
   double tolerance = 1e-4;                        ///< residual at which the solution counts as converged
   double pressureDrivenTolerance = 1e-5;          ///< the same at a fixed pressure gradient
-  std::int64_t iterations = 2000;                  ///< most iterations at a fixed flow rate
+  std::int64_t iterations = 2000;                 ///< most iterations at a fixed flow rate
   std::int64_t pressureDrivenIterations = 10000;  ///< the same at a fixed pressure gradient
   double relaxation = 0.8;                        ///< of U
   double nonOrthogonal = 1.0;                     ///< share of the non-orthogonal correction of gradients
