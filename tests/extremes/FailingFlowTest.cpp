@@ -102,7 +102,9 @@ TEST_F(FailingFlow, AProgramThatHangsIsNamedWithItsLogAndEnded) {
 
 /// And goes on from the day of that solve, with what was printed.
 TEST_F(FailingFlow, AProgramThatHangsCanBeInterrupted) {
-  const std::string text = foamScene(), duration = "scene.duration=74 h";
+  // Nothing else than the solve is a reason to save on that day
+  const std::string text = scene("tiny", with(tinyFoamScene(), "\"6 h\"", "\"100 d\""));
+  const std::string duration = "scene.duration=74 h";
   Process process(command({"run", text, "-o", "out", "--set", duration}), folder.path(),
                   {{"PATH", pathWithBlockMesh("echo here; exec sleep 100000")}});
   const auto hangs = [&] {

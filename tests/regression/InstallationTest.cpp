@@ -15,7 +15,8 @@ class Installation : public WholeProgram {
     const fs::path build = fs::path(RESTENOSIS_PROGRAM).parent_path();
     const fs::path first = folder / "first";
     const ProcessEnd end =
-        Process({"cmake", "--install", build.string(), "--prefix", first.string()}, folder.path())
+        Process({"/usr/bin/env", "cmake", "--install", build.string(), "--prefix", first.string()},
+                folder.path())
             .wait(patience);
     ASSERT_EXIT_STATUS(end, 0);
     fs::rename(first, prefix());
@@ -100,7 +101,7 @@ TEST_F(Installation, TheShellCompletesCommandsAndOptions) {
     const std::string commands = ". " + script.string() + "; COMP_WORDS=(" + program() + " " + words +
                                  "); COMP_CWORD=" + std::to_string(at) +
                                  "; _restenosisFoam; printf '[%s]' \"${COMPREPLY[@]}\"";
-    return Process({"bash", "-c", commands}, folder.path()).wait(patience).out;
+    return Process({"/usr/bin/env", "bash", "-c", commands}, folder.path()).wait(patience).out;
   };
   EXPECT_EQ(completed("che", 1), "[check]");
   EXPECT_EQ(completed("run a.toml --res", 3), "[--resume]");
