@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <thread>
 
 #include "tests/support/OpenFoamPresent.h"
@@ -15,9 +17,8 @@ class FoamResume : public WholeProgram, public ::testing::WithParamInterface<con
   /// Solves at 72, 74, 76 and 78 hours; checkpoints every four.
   std::string tiny() const {
     const std::string text = with(with(tinyFoamScene(), "\"4 d\"", "\"78 h\""), "\"6 h\"", "\"4 h\"");
-    return scene("tiny", text +
-                             "[coupling]\nschedule = \"onChange\"\nlumenTolerance = \"1 um\"\nremesh = \"" +
-                             GetParam() + "\"\n");
+    return scene("tiny", with(text, "lumenTolerance = \"5 um\"",
+                              fmt::format("lumenTolerance = \"1 um\"\nremesh = \"{}\"", GetParam())));
   }
   /// A file that the next solve reads of the case of 74 hours; U and p lie in its last iteration.
   std::filesystem::path startFile(const std::string& name) const {

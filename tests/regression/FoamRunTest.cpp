@@ -12,7 +12,8 @@ TEST_F(FoamRun, GrowsWithSeveralSolvesAndLoadsInParaView) {
   RESTENOSIS_NEEDS_OPENFOAM();
   const std::string text = with(tinyFoamScene(), "\"4 d\"", "\"90 h\"");
   const std::string tiny =
-      scene("tiny", text + "keepFlowCases = \"all\"\n[coupling]\nlumenTolerance = \"3 um\"\n");
+      scene("tiny", with(text, "lumenTolerance = \"5 um\"", "lumenTolerance = \"3 um\"") +
+                        "keepFlowCases = \"all\"\n");
   EXPECT_EXIT_STATUS(run({"run", tiny, "-o", "out"}, {{"PATH", "/nonexistent"}}), 1);
   ASSERT_EXIT_STATUS(run({"run", tiny, "-o", "out", "--resume"}), 0);
 

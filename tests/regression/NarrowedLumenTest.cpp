@@ -17,8 +17,8 @@ std::string closing(std::string text) {
   const auto stent = text.find("[stent]"), injury = text.find("[injury]");
   text.erase(stent, injury - stent);
   text = with(with(text, "[contactInhibition]\n", ""), "cellRadius", "fixedEnds = 0\ncellRadius");
-  return with(text, "[flow]\n", "[flow]\nmeanVelocity = \"1 mm/s\"\n") +
-         "[coupling]\nschedule = \"everyStep\"\n";
+  text = with(text, "[coupling]\n", "[coupling]\nschedule = \"everyStep\"\n");
+  return with(text, "[flow]\n", "[flow]\nmeanVelocity = \"1 mm/s\"\n");
 }
 
 /// What is asked of the lumen as the scene gives it, although deployment widens it.

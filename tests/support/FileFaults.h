@@ -66,7 +66,7 @@ class FileFaults : public WholeProgram {
     return arguments;
   }
   /// Every file's content by its place in the results. What tells of times is left out: the checkpoint, logs,
-  /// and of summary.json the costs, and the forces that a resumed run computes again.
+  /// and of summary.json the costs, where and when it ran, and the forces that a resumed run computes again.
   std::map<std::string, std::string> lasting(const std::string& results) const {
     std::map<std::string, std::string> files;
     for (const auto& [path, text] : contents(results))
@@ -75,7 +75,7 @@ class FileFaults : public WholeProgram {
     for (auto& [name, text] : files)
       if (std::filesystem::path(name).filename().string().starts_with("log.")) text.clear();
     auto numbers = nlohmann::json::parse(files.at("summary.json"));
-    for (const char* cost : {"parts", "totalSeconds", "relaxation"}) numbers.erase(cost);
+    for (const char* cost : {"parts", "totalSeconds", "relaxation", "provenance"}) numbers.erase(cost);
     files["summary.json"] = numbers.dump();
     return files;
   }

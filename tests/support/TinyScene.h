@@ -45,6 +45,10 @@ scenario = "3-23 days"
 [flow]
 backend = "analytic"
 
+[coupling]
+lumenTolerance = "5 um"
+lumenInterval = "0 h"
+
 [output]
 interval = "0.5 d"
 checkpointInterval = "6 h"
