@@ -4,6 +4,7 @@
 
 #include "bridge/coupling/FormerFlowCase.h"
 #include "bridge/output/Checkpoint.h"
+#include "bridge/scene/SceneFingerprint.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace restenosis {
@@ -29,6 +30,7 @@ struct FormerFlowCaseTest : ::testing::Test {
     writeText(folderOfCase / "mesh", "cells");
     FlowState& flow = state.quantities.flow;
     flow.solves = 1;
+    flow.settings = flowSettings(scene);
     flow.startFiles = part.startFiles(folderOfCase);
   }
   static Scene flowing() {
