@@ -1,5 +1,5 @@
 // How far each method goes, step by step to its end: an error against what is known exactly, or a refusal.
-// bench/run reads what these tests record, and docs/results/limits.md shows it.
+// bench/run reads what these tests record.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
