@@ -21,7 +21,7 @@ struct Level {
   double lumenTolerance, lumenInterval;  // [m], [s]
 };
 
-/// Measured in docs/results/coupling.md.
+/// Assumed; what tolerances cost and change is in docs/results/coupling.md.
 constexpr std::array levels = {Level{"draft", 20e-6, 6 * 3600}, Level{"standard", 10e-6, 0},
                                Level{"reference", 5e-6, 0}};
 
@@ -105,7 +105,7 @@ void CouplingParameters::describe(ParameterVisitor& p) {
               .unit = "h",
               .minimum = 0,
               .maximum = 240,
-              .source = "docs/model/coupling.md",
+              .source = "assumed",
               .description = "simulated time between two looks at the lumen, beside recorded steps and the "
                              "first solve; 0: in every step; 6 h at draft"});
   p.quantity(undecidedMargin,
