@@ -36,8 +36,10 @@ class JsonSchemaOfScenes : public WholeProgram {
 };
 
 TEST_F(JsonSchemaOfScenes, EverySceneIsOne) {
-  for (const auto& entry : fs::directory_iterator(fs::path(RESTENOSIS_SOURCE_DIR) / "scenes"))
-    if (entry.path().extension() == ".toml") EXPECT_EQ(validated(entry.path()).out, "\n") << entry.path();
+  for (const auto& entry : fs::directory_iterator(fs::path(RESTENOSIS_SOURCE_DIR) / "scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_EQ(validated(entry.path()).out, "\n") << entry.path();
+  }
 }
 
 /// Every key, with its default as it is written.
