@@ -13,6 +13,9 @@ using d3q19::Step;
 /// A node on the wall would make a gradient at it infinite [spacings].
 constexpr double nearestWall = 0.1;
 
+/// In the edge between a straight outlet and a wall along z a node has nine.
+constexpr int leastNeighbours = 9;
+
 class BoundaryMaker {
  public:
   BoundaryMaker(const LumenLattice& lattice, WallRule rule, const LatticeEnds& ends)
@@ -167,7 +170,13 @@ class BoundaryMaker {
     const double halfLinkOff = (0.5 - link.q) * ends_.outletGradient.dot(Vec3(c[0], c[1], c[2]));
     const SurfaceLink* behind = find(link.node, d3q19::opposite(link.direction));
     const double wallBehind = behind != nullptr ? std::max(behind->q, nearestWall) : 0.0;
-    result_.open.push_back({link.coordinates, link.direction, wallBehind, halfLinkOff});
+    result_.open.push_back({link.coordinates, link.direction, wallBehind, isAlone(link.node), halfLinkOff});
+  }
+
+  bool isAlone(std::uint32_t node) const {
+    int neighbours = 0;
+    for (int i = 1; i < d3q19::directions; ++i) neighbours += find(node, i) == nullptr ? 1 : 0;
+    return neighbours < leastNeighbours;
   }
 
   void addPassage(const SurfaceLink& link) {

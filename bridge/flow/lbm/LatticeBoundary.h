@@ -65,6 +65,7 @@ struct LatticeBoundary {
     d3q19::Step node;
     std::uint8_t direction;
     double wallBehind;  ///< distance to the wall behind, against the direction; 0 where there is a node
+    bool alone;         ///< few neighbours of the node are fluid
     double density;     ///< departure from 1, half a link away
   };
 

@@ -158,6 +158,8 @@ class LevelSolver {
       } catch (const std::exception& error) {
         if (finest) throw;
         log_.line("  left out: {}", error.what());
+        latticeVelocity_ =
+            settings_.latticeVelocity;  // what a lattice that is too coarse lacks is no shorter step
         continue;
       }
       if (stopped()) throw LatticeFailed("stopped on request");

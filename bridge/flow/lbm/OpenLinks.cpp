@@ -41,6 +41,7 @@ OpenLinks<Real>::OpenLinks(const ColumnLayout& layout, const LatticeBoundary& bo
                       .arrivesOdd = slot(d3q19::moved(open.node, open.direction), open.direction),
                       .arrivesEven = slot(open.node, back),
                       .direction = open.direction,
+                      .alone = open.alone,
                       .wallBehind = open.wallBehind > 0.0 ? std::max(open.wallBehind, shear_ / 3.0) : 0.0,
                       .density = open.density,
                       .outflow = 0.0});
@@ -61,12 +62,12 @@ void OpenLinks<Real>::serve(std::size_t n, bool afterEven, Real* populations) {
   Link& link = links_[n];
   const Vec3 c = vectorOf(link.direction), u = link.node.velocity(populations, afterEven);
   const double cu = c.dot(u), w = d3q19::weight(link.direction);
+  const double even = link.density + density_ + 4.5 * cu * cu - 1.5 * u.squaredNorm();
   const double gradient =
       link.wallBehind > 0.0 ? cu / link.wallBehind : cu - c.dot(link.behind.velocity(populations, afterEven));
   const Node& node = link.node;
   const double left = populations[(afterEven ? node.afterEven : node.afterOdd)[link.direction]];
-  const double back = -left + w * (2.0 * (link.density + density_ + 4.5 * cu * cu - 1.5 * u.squaredNorm()) -
-                                   shear_ * gradient);
+  const double back = link.alone ? w * (even - 3.0 * cu) : -left + w * (2.0 * even - shear_ * gradient);
   populations[afterEven ? link.arrivesOdd : link.arrivesEven] = static_cast<Real>(back);
   link.outflow = left - back;
 }

@@ -12,7 +12,9 @@ namespace restenosis {
 ///   f_back = -f_left + 2 w (rho + 4.5 (c u)^2 - 1.5 u^2) - 3 w (2 tau - 1) (c grad)(c u):
 /// anti-bounce-back (Ginzburg et al. 2008) and what shear adds to the even part of the populations and to the
 /// odd one between both ends of the link, without which there is no shear at the outlet. The gradient along
-/// the link is that to the node behind, or to the wall there.
+/// the link is that to the node behind, or to the wall there. Anti-bounce-back keeps the momentum of a node,
+/// and one with few neighbours to take it up would run away: there the equilibrium of the given pressure and
+/// of the node's velocity comes back.
 template <class Real>
 class OpenLinks {
  public:
@@ -38,6 +40,7 @@ class OpenLinks {
     Node node, behind;
     Slot arrivesOdd, arrivesEven;  ///< where the next step, odd or even, takes what comes back
     std::uint8_t direction;
+    bool alone;
     double wallBehind, density, outflow;
   };
 
