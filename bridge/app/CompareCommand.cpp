@@ -160,7 +160,7 @@ int tryCompare(const CompareArguments& arguments) {
     for (const std::string& override : sceneArguments.overrides) {
       if (changesTheFlow(override)) continue;
       std::cerr << fmt::format(
-          "--set {}: the lumen of a finished run is what it is; only [flow], [foam], [lbm], [output] and "
+          "--set {}: the lumen of a finished run does not change; only [flow], [foam], [lbm], [output] and "
           "scene.fidelity can be set for it\n",
           override);
       return ExitStatus::wrongInput;

@@ -80,8 +80,9 @@ std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std
     const std::string name = nameOf(choice);
     const Scene chosen = sceneWith(arguments, fmt::format("scene.fidelity={}", choice.fidelity));
     if (last && last->first.backend == choice.backend && askTheSame(choice.backend, last->second, chosen)) {
-      std::cerr << fmt::format("{} is left out: the scene gives what scene.fidelity would, so it is {}\n",
-                               name, nameOf(last->first));
+      std::cerr << fmt::format(
+          "{} is left out: the scene sets everything that scene.fidelity would, so it is the same as {}\n",
+          name, nameOf(last->first));
       continue;
     }
     last.emplace(choice, chosen);

@@ -101,8 +101,8 @@ int report(const ReportArguments& arguments) {
 }  // namespace
 
 void addReportCommand(CLI::App& app, int& status) {
-  auto* command =
-      app.add_subcommand("report", "one page of a run anew, or of several runs and studies side by side");
+  auto* command = app.add_subcommand(
+      "report", "write the page of a run again, or one of several runs and studies side by side");
   auto arguments = std::make_shared<ReportArguments>();
   command->add_option("DIR", arguments->folders, "results folders of runs, or of studies")
       ->required()

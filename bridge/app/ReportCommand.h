@@ -4,7 +4,7 @@
 
 namespace restenosis {
 
-/// `report DIR...`: the page of a run anew, or one of several runs and studies side by side.
+/// `report DIR...`: the page of a run again, or one of several runs and studies side by side.
 void addReportCommand(CLI::App& app, int& status);
 
 }  // namespace restenosis

@@ -89,7 +89,7 @@ Outcome madeIn(const fs::path& folder, const Scene& scene, const std::string& te
     try {
       return ranIn(folder, scene, text, options, true);
     } catch (const CheckpointRefused& error) {
-      std::cerr << fmt::format("{}: run anew\n", error.what());
+      std::cerr << fmt::format("{}: it is run again from the start\n", error.what());
     }
   }
   return ranIn(folder, scene, text, options, false);

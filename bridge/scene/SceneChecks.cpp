@@ -146,7 +146,7 @@ Finding tooManyAgents(const Scene& s, const Units& u) {
 Finding phasesBelowZero(const Scene& s, const Units& u) {
   if (!s.cellCycle || s.cellCycle->g1Mean >= 3 * s.cellCycle->g1Spread) return {};
   return fmt::format(
-      "'g1Spread' in [cellCycle] is {}, more than a third of g1Mean ({}): G1 could last less than no time",
+      "'g1Spread' in [cellCycle] is {}, more than a third of g1Mean ({}): G1 could have a negative length",
       shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
 }
 

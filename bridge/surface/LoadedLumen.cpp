@@ -182,7 +182,7 @@ DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metr
   if (const auto& crowded = surfaceEdges(s).crowdedEdges; !crowded.empty())
     refuseLumen(
         fmt::format("{} more than two triangles: {}. Parts of it overlap or meet in one edge "
-                    "there; remove what is there twice or lies within the lumen, or move the parts asunder",
+                    "there; remove what is there twice or lies within the lumen, or move the parts apart",
                     crowded.size() == 1 ? "an edge has" : fmt::format("{} edges have", crowded.size()),
                     shownEdges(s, crowded)));
   for (std::size_t t = 0; t < s.triangles.size(); ++t)

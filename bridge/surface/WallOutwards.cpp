@@ -113,12 +113,12 @@ std::vector<double> radiiOf(const TriSurface& lumen, const RayGrid& grid) {
   for (const Crossings& ray : crossingsOf(lumen, grid)) {
     const std::size_t node = radii.size();
     const auto refuse = [&](std::string_view what) {
-      refuseLumen(
-          fmt::format("tissue is built around a lumen that its axis, the line from the centre of the "
-                      "inlet square to it, sees all of; at {:.4g} mm along it {}",
-                      1e3 * grid.z(static_cast<int>(node) / grid.around), what));
+      refuseLumen(fmt::format(
+          "tissue needs a lumen whose whole side can be seen from its axis (the line from the centre of "
+          "the inlet, square to it); at {:.4g} mm along the axis {}",
+          1e3 * grid.z(static_cast<int>(node) / grid.around), what));
     };
-    if (ray.farthest == 0) refuse("the axis is not in the lumen");
+    if (ray.farthest == 0) refuse("it is not in the lumen");
     if (ray.farthest - ray.nearest > samePlace * grid.zStep) refuse("the lumen's side folds back");
     radii.push_back(ray.farthest);
   }

@@ -109,7 +109,7 @@ TEST_P(FoamExecutionFaults, solverKilledInMidSolveIsNamedWithItsLog) {
     });
     found = failure(endless(), {.ranks = GetParam()}, scratch / "case");
   }
-  EXPECT_SAYS(found.message, "simpleFoam was killed from outside, or by the system for want of memory");
+  EXPECT_SAYS(found.message, "simpleFoam was killed from outside, or by the system because memory ran out");
   EXPECT_EQ(found.message.find("first attempt"), std::string::npos);
   EXPECT_EQ(found.log, scratch / "case/log.simpleFoam");
   EXPECT_TRUE(fs::exists(found.log));

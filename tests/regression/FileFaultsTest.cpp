@@ -5,14 +5,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class EveryFault : public FileFaults, public ::testing::WithParamInterface<const char*> {};
+/// A part of them; all are met by the tests `long`.
+class AnyFault : public FileFaults, public ::testing::WithParamInterface<const char*> {};
 
-TEST_P(EveryFault, LeavesARunThatEndsAsTheWholeOne) {
+TEST_P(AnyFault, LeavesARunThatEndsAsTheWholeOne) {
   scene("short", shortScene);
-  expectEveryFaultMended(GetParam());
+  const std::string kind = GetParam();
+  expectEveryFaultMended(kind, kind == "torn" ? 2 : 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(kinds, EveryFault, ::testing::Values("fail", "torn", "kill"),
+INSTANTIATE_TEST_SUITE_P(kinds, AnyFault, ::testing::Values("fail", "torn", "kill"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_F(FileFaults, WritesThatTakeOnlyHalfAreGoneOnWith) {

@@ -78,7 +78,7 @@ TEST_F(Tradeoff, RunsAnewWhatIsDamaged) {
     std::filesystem::resize_file(second / "checkpoint/state.bin", 1000);
     const ProcessEnd end = run(command);
     EXPECT_EXIT_STATUS(end, 0);
-    EXPECT_NE(end.err.find("run anew"), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find("run again from the start"), std::string::npos) << end.err;
     EXPECT_EQ(summary("out/runs/scene.seed=2")["stateDigest"], digest);
   }
 }

@@ -79,7 +79,7 @@ TEST_F(WallAroundLumen, IsRefusedWhereTheAxisDoesNotSeeTheLumen) {
   const ProcessEnd end = runAround(bow, "out");
   EXPECT_EXIT_STATUS(end, 2);
   EXPECT_NE(end.err.find("'lumenSurface' in [vessel]"), std::string::npos) << end.err;
-  EXPECT_NE(end.err.find("the axis is not in the lumen"), std::string::npos) << end.err;
+  EXPECT_NE(end.err.find("along the axis it is not in the lumen"), std::string::npos) << end.err;
   EXPECT_FALSE(exists("out"));
 }
 

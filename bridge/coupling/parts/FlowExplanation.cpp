@@ -37,11 +37,10 @@ std::vector<PlannedPart> meshExplanation(const Scene& scene) {
   const bool afresh = !scene.coupling.movesMesh();
   if (scene.flow->backend == flowBackendNames::foam && scene.hasTissue())
     return {{"mesh", true,
-             afresh ? "made anew for every solve"
-                    : "moved with the wall, and made anew where that is not good enough"}};
+             afresh ? "a new one for every solve"
+                    : "moved with the wall, and a new one where that is not good enough"}};
   if (scene.flow->backend == flowBackendNames::lbm && !afresh)
-    return {
-        {"mesh", false, "coupling.remesh is about OpenFOAM's mesh: a lattice is made anew for every solve"}};
+    return {{"mesh", false, "coupling.remesh is about OpenFOAM's mesh: every solve makes a new lattice"}};
   return {};
 }
 

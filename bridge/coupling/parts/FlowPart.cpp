@@ -141,7 +141,7 @@ void FlowPart::requirePoiseuille(const FlowSolution& solution, const FlowConditi
   if (!error || std::abs(error->mean) < farFromPoiseuille) return;
   throw FlowFailed(
       fmt::format("the wall shear stress in this plain tube is off Poiseuille's law, {:.3g} Pa, by "
-                  "{:+.0f} % on the average: the solution is none",
+                  "{:+.0f} % on the average, so the solution is not used",
                   error->exact, 100 * error->mean),
       folder);
 }

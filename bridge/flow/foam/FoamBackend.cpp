@@ -128,7 +128,7 @@ FlowSolution FoamBackend::solveMeasured(const TriSurface& lumen, const LumenCase
   if (onDemand) solution.remeshedBecause = reason;
   if (!details.empty())
     solution.remarks.push_back(
-        fmt::format("{}: {} ({})", onDemand ? "meshed anew" : "started from rest", reason, details));
+        fmt::format("{}: {} ({})", onDemand ? "meshed again" : "started from rest", reason, details));
   return solution;
 }
 

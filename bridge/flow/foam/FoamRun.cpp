@@ -96,7 +96,7 @@ void FoamRun::run(const std::string& program, const std::vector<std::string>& ar
                      log(program));
   if (exit.signal == SIGKILL) {
     requireRoomAfter(program);
-    throw FlowFailed(fmt::format("{} was killed from outside, or by the system for want of memory: {}",
+    throw FlowFailed(fmt::format("{} was killed from outside, or by the system because memory ran out: {}",
                                  program, exit.describe()),
                      log(program));
   }

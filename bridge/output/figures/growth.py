@@ -61,13 +61,13 @@ def shear(axis, series):
 
 
 def mark_solves(axis, series):
-    """A tick on the lower edge at each recorded state before which the flow was solved anew."""
+    """A tick on the lower edge at each recorded state before which the flow was solved."""
     solved = series["day"][series["flowSolved"] > 0]
     look = {"color": style.BLACK, "linewidth": 1.0, "marker": ""}
     for day in solved:
         axis.axvline(day, ymax=0.04, **look)
     if solved.size:
-        axis.plot([], [], "|", color=style.BLACK, markersize=6, markeredgewidth=1.5, label="solved anew")
+        axis.plot([], [], "|", color=style.BLACK, markersize=6, markeredgewidth=1.5, label="flow solved")
 
 
 PANELS = {

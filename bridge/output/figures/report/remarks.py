@@ -12,7 +12,7 @@ MEANING = {
 RULES = (
     (r"highly skew faces", NOTE),
     (r"solved at the (second|third) attempt", NOTE),
-    (r"meshed anew|started from rest", NOTE),
+    (r"meshed again|started from rest", NOTE),
     (r"tissue covers the struts but for", NOTE),
     (r"of which struts have passed", WRONG),
     (r"made no cell synthetic", WRONG),

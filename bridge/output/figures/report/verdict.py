@@ -94,7 +94,7 @@ def _pace(run):
         peak = f"it was {numerals.shown(fastest, 2)} about day {numerals.shown(when, 2)}"
         return f"Growth is slowing down: {now} at the end; {peak}."
     end = ": the run ends before growth does" if run.status == "finished" else ""
-    return f"It still grows about as fast as ever, {now}{end}."
+    return f"It still grows about as fast as it ever did, {now}{end}."
 
 
 def _endothelium(run):

@@ -1,9 +1,19 @@
-// A full disk or a crash amid the case of an OpenFOAM solve.
+// A full disk or a crash at any write of a run, and amid the case of an OpenFOAM solve.
 #include "tests/support/FileFaults.h"
 #include "tests/support/OpenFoamPresent.h"
 
 namespace restenosis {
 namespace {
+
+class EveryFault : public FileFaults, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(EveryFault, LeavesARunThatEndsAsTheWholeOne) {
+  scene("short", shortScene);
+  expectEveryFaultMended(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(kinds, EveryFault, ::testing::Values("fail", "torn", "kill"),
+                         [](const auto& test) { return std::string(test.param); });
 
 class FoamFileFaults : public FileFaults, public ::testing::WithParamInterface<const char*> {};
 
