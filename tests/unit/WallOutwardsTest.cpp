@@ -125,9 +125,9 @@ TEST(WallOutwards, PlanesAndRaysThroughCornersMeetTheSide) {
 
 TEST(WallOutwards, NeedsAnAxisThatSeesAllOfTheLumen) {
   const auto beside = [](double z) { return Vec3(1.2e-3 * z / length, 0, 0); };
-  EXPECT_NE(
-      refusal(tubeOf([](double, double) { return 0.5e-3; }, beside)).find("along the axis it is not in the lumen"),
-      std::string::npos);
+  EXPECT_NE(refusal(tubeOf([](double, double) { return 0.5e-3; }, beside))
+                .find("along the axis it is not in the lumen"),
+            std::string::npos);
   const auto lobed = [](double angle, double) { return 0.5e-3 * (1 + 0.9 * std::cos(2 * angle)); };
   EXPECT_EQ(refusal(tubeOf(lobed, onAxis)), "") << "seen from the axis, however thin its waist";
   // A bulge that hangs over: rings that go back along z
