@@ -55,6 +55,20 @@ std::string refusal(const TriSurface& lumen, const FlowConditions& conditions, c
   return "";
 }
 
+TEST(LbmLimits, fastFlowOnFewNodesIsRemarkedOn) {
+  const auto remarks = [](double reynolds) {
+    const double velocity = reynolds * 2.7e-6 / (2.0 * tubeRadius);
+    const auto s = LbmBackend(coarse()).solve(tube(tubeRadius, tubeLength), flowing(velocity), {});
+    std::string text;
+    for (const auto& remark : s.remarks) text += remark;
+    return text;
+  };
+  // Twice the mean velocity on the axis, sixteen spacings across
+  EXPECT_NE(remarks(100.0).find("the Reynolds number of one spacing is up to 12"), std::string::npos)
+      << remarks(100.0);
+  EXPECT_EQ(remarks(60.0), "");
+}
+
 TEST(LbmLimits, relaxationTimesUpToFive) {
   for (const double tau : {0.505, 0.55, 1.0, 2.0, 5.0}) {
     LatticeRelaxation relaxation;

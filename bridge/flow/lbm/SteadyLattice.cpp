@@ -139,9 +139,14 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
     if (!watch(steps_, distance)) return;
     if (distance < tolerance) break;
   }
+  double fastest = 0.0;
   for (const NodeRun& run : lattice_.layout.runs())
-    for (std::uint32_t n = 0; n < run.count; ++n)
-      if (!(flow_->state(run.first + n).velocity.squaredNorm() < runawayVelocity)) diverged();
+    for (std::uint32_t n = 0; n < run.count; ++n) {
+      const double square = flow_->state(run.first + n).velocity.squaredNorm();
+      if (!(square < runawayVelocity)) diverged();
+      fastest = std::max(fastest, square);
+    }
+  nodeReynolds_ = 3.0 * std::sqrt(fastest) / (relaxation_.tau - 0.5);
 }
 
 std::vector<WallFace> SteadyLattice::wall() const {

@@ -47,6 +47,8 @@ class SteadyLattice {
   double relaxationTime() const { return relaxation_.tau; }
   const LatticeUnits& units() const { return units_; }
   const LumenLattice& lattice() const { return lattice_; }
+  /// Reynolds number of one spacing where the flow is fastest, once it is solved.
+  double nodeReynolds() const { return nodeReynolds_; }
   std::size_t bareFaces() const { return stress_.bareFaces(); }
 
   std::vector<WallFace> wall() const;
@@ -81,6 +83,7 @@ class SteadyLattice {
   std::unique_ptr<LatticeFlowBase> flow_;
   std::optional<double> givenFlow_;
   std::int64_t steps_ = 0;
+  double nodeReynolds_ = 0.0;
 };
 
 }  // namespace restenosis
