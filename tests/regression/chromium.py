@@ -5,6 +5,7 @@ import json
 import os
 import select
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -34,7 +35,7 @@ class Browser:
     """One page in a browser of its own."""
 
     def __enter__(self):
-        self.profile = tempfile.TemporaryDirectory(prefix="chromium")
+        self.profile = tempfile.mkdtemp(prefix="chromium")
         asked, self.ask = os.pipe()
         self.answers, answered = os.pipe()
 
@@ -45,12 +46,13 @@ class Browser:
             os.dup2(high[1], 4)
 
         self.process = subprocess.Popen(
-            [program(), *OPTIONS, f"--user-data-dir={self.profile.name}", "about:blank"],
+            [program(), *OPTIONS, f"--user-data-dir={self.profile}", "about:blank"],
             preexec_fn=as_third_and_fourth,
             close_fds=False,
+            start_new_session=True,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            env={**os.environ, "HOME": self.profile.name},
+            env={**os.environ, "HOME": self.profile},
         )
         os.close(asked)
         os.close(answered)
@@ -63,11 +65,15 @@ class Browser:
         return self
 
     def __exit__(self, *_):
-        self.process.kill()
+        os.killpg(self.process.pid, signal.SIGKILL)  # its helpers too, which write to the profile
         self.process.wait()
         os.close(self.ask)
         os.close(self.answers)
-        self.profile.cleanup()
+        shutil.rmtree(self.profile, ignore_errors=True)
+        deadline = time.monotonic() + PATIENCE
+        while os.path.exists(self.profile) and time.monotonic() < deadline:  # until the last helper has ended
+            time.sleep(0.1)
+            shutil.rmtree(self.profile, ignore_errors=True)
 
     def call(self, method, **parameters):
         self.number += 1
