@@ -25,6 +25,9 @@ class Scripts : public ::testing::Test {
     program(folder / "bin/cmake", ":");
     program(folder / "bin/dpkg-query", "echo install ok installed");
     fs::create_directories(elsewhere);
+    fs::create_directories(checkout / "scenes");
+    for (const char* scene : {"scenes/quick.toml", "my.toml", "my", "a.toml", "b.toml", "c.toml"})
+      writeText(checkout / scene, "[scene]\n");
   }
   static void program(const fs::path& file, const std::string& commands) {
     fs::create_directories(file.parent_path());
@@ -74,19 +77,27 @@ TEST_F(Scripts, AllrunFindsTheSceneAmongTheOptions) {
 }
 
 TEST_F(Scripts, AllrunSeeksFilesWhereTheUserStands) {
-  const std::string here = elsewhere.string() + "/";
+  const std::string here = elsewhere.string() + "/", absolute = (checkout / "b.toml").string();
+  writeText(elsewhere / "a.toml", "[scene]\n");
   EXPECT_EQ(run({}, elsewhere), "[run][scenes/quick.toml]");
   EXPECT_EQ(run({"a.toml", "-o", "out"}, elsewhere), "[run][" + here + "a.toml][-o][" + here + "out]");
-  EXPECT_EQ(run({"-oout", "/b.toml"}, elsewhere), "[run][/b.toml][-o" + here + "out]");
+  EXPECT_EQ(run({"-oout", absolute}, elsewhere), "[run][" + absolute + "][-o" + here + "out]");
   EXPECT_EQ(run({"--output=out", "--output", "/out"}, elsewhere),
             "[run][scenes/quick.toml][--output=" + here + "out][--output][/out]");
-  fs::create_directories(checkout / "scenes");
-  writeText(checkout / "scenes/quick.toml", "[scene]\n");
   EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][scenes/quick.toml]") << "beside the script";
+  EXPECT_EQ(run({"quick"}, elsewhere), "[run][scenes/quick.toml]") << "by its name";
   fs::create_directories(elsewhere / "scenes");
   writeText(elsewhere / "scenes/quick.toml", "[scene]\n");
   EXPECT_EQ(run({"scenes/quick.toml"}, elsewhere), "[run][" + here + "scenes/quick.toml]")
       << "the user's own";
+}
+
+TEST_F(Scripts, AllrunRefusesASceneThatIsNotThereBeforeItBuilds) {
+  fs::remove(folder / "bin/cmake");
+  const ProcessEnd end =
+      Process({(checkout / "Allrun").string(), "quik"}, elsewhere).wait(std::chrono::minutes(1));
+  EXPECT_EQ(end.status, 2) << toString(end);
+  EXPECT_NE(end.err.find("quik: no such scene file; scenes/ has quick"), std::string::npos) << toString(end);
 }
 
 TEST_F(Scripts, AlltestIsNoSuccessWithoutATest) {
