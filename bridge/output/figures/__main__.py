@@ -112,7 +112,7 @@ def draw_all(folder):
 
 
 def write_page(folder):
-    """Writes report.html; returns why not, where that was not because there is no run."""
+    """Writes report.html, where there is a run to write of; returns what went wrong."""
     try:
         report.write(folder, folder / "report.html")
     except NothingToDraw as reason:
