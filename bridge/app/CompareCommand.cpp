@@ -40,7 +40,7 @@ struct CompareArguments {
   std::string folder, probes;
   std::optional<double> day;
   int threads = 0;
-  int ranks = 1;
+  int ranks = 0;
   bool ofResults() const { return fs::is_directory(scene.file); }
   bool writesIntoResults() const { return folder.empty() && ofResults(); }
 };
@@ -97,7 +97,8 @@ void removeFormerComparison(const fs::path& folder) {
 int compare(const Scene& scene, const CompareArguments& arguments, const fs::path& folder,
             std::optional<ComparedLumen> given, const std::vector<Vec3>& probes) {
   // Said before a wall is packed and deployed for it
-  if (const std::string missing = missingFoamProgram(arguments.ranks); !missing.empty())
+  const int ranks = rankCount(scene, arguments.ranks);
+  if (const std::string missing = missingFoamProgram(ranks); !missing.empty())
     throw FlowFailed(missing, {});
   if (const std::string missing = missingFoamTemplate(); !missing.empty()) throw FlowFailed(missing, {});
   // A run that starts in these results would move the comparison aside
@@ -121,7 +122,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
                                    .lbm = lbm,
                                    .straightEnds = scene.flow->straightEnds,
                                    .keepVelocities = true,
-                                   .ranks = arguments.ranks,
+                                   .ranks = ranks,
                                    .stopRequested = stopRequested};
   const auto solve = [&](std::string_view name) {
     std::cerr << fmt::format("{}: solving in the lumen of day {:.4g} ...\n", name, lumen.day);

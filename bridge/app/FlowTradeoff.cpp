@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bridge/app/ComparedLumen.h"
+#include "bridge/app/RankOptions.h"
 #include "bridge/compare/FlowComparison.h"
 #include "bridge/coupling/FlowForecast.h"
 #include "bridge/coupling/Run.h"
@@ -91,7 +92,7 @@ std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std
                                                           .foam = chosen.foam,
                                                           .lbm = chosen.lbm,
                                                           .straightEnds = chosen.flow->straightEnds,
-                                                          .ranks = options.ranks,
+                                                          .ranks = rankCount(chosen, options.ranks),
                                                           .stopRequested = options.stopRequested});
     SolvedFlow flow;
     try {

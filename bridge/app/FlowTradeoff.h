@@ -12,7 +12,7 @@ namespace restenosis {
 /// What a sweep may use of the machine.
 struct TradeoffOptions {
   int threads = 1;
-  int ranks = 1;  ///< processes of OpenFOAM
+  int ranks = 0;  ///< processes of OpenFOAM, or 0: as many as suit the scene
   const std::atomic<bool>* stopRequested = nullptr;
 };
 

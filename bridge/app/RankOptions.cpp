@@ -7,15 +7,17 @@
 
 #include "bridge/app/OptionChecks.h"
 #include "bridge/app/ThreadCount.h"
+#include "bridge/coupling/CostForecast.h"
 #include "bridge/flow/foam/MpiLauncher.h"
 
 namespace restenosis {
-
 void addRankOptions(CLI::App& command, int& ranks) {
   command
-      .add_option("--ranks", ranks,
-                  "MPI processes of OpenFOAM's mesher and solver (default: 1); changes results within the "
-                  "solver's tolerance")
+      .add_option(
+          "--ranks", ranks,
+          fmt::format("MPI processes of OpenFOAM's mesher and solver (default: 2 where some {:.0f} cells or "
+                      "more are expected, else 1); changes results within the solver's tolerance",
+                      cellsWorthTwoRanks))
       ->check(countUpTo(mostRanks));
   command
       .add_option_function<std::string>(
@@ -24,6 +26,10 @@ void addRankOptions(CLI::App& command, int& ranks) {
                       "(default: ${}, or mpirun)",
                       launcherVariable))
       ->check(notEmpty("a command that takes -n N, or no such option for the default"));
+}
+
+int rankCount(const Scene& scene, int askedFor) {
+  return askedFor > 0 ? askedFor : scene.flow ? usualRanks(scene) : 1;
 }
 
 }  // namespace restenosis

@@ -24,6 +24,7 @@ constexpr std::size_t mostNames = 3;  ///< in the name of a page
 struct ReportArguments {
   std::vector<std::string> folders;
   std::string page;
+  bool animation = false;
 };
 
 bool isRun(const fs::path& folder) {
@@ -68,12 +69,30 @@ bool lacksPictures(const fs::path& run) {
          !fs::exists(run / "section.png");
 }
 
+/// Draws the vessel day by day.
+int animate(const fs::path& run, const Figures& figures, const std::atomic<bool>* stopRequested) {
+  std::cerr << "drawing the vessel day by day ...\n";
+  if (const std::string obstacle = figures.animate(run, stopRequested); !obstacle.empty()) {
+    std::cerr << obstacle << '\n';
+    return ExitStatus::failed;
+  }
+  std::cout << fmt::format("{}: open in a browser\n", (run / "animation.gif").string());
+  return ExitStatus::done;
+}
+
 int report(const ReportArguments& arguments) {
   std::vector<fs::path> folders(arguments.folders.begin(), arguments.folders.end());
   bool wrong = false;
   for (const fs::path& folder : folders) {
     if (const std::string problem = problemOf(folder); !problem.empty()) {
       std::cerr << fmt::format("{}: {}\n", folder.string(), problem);
+      wrong = true;
+    }
+  }
+  if (arguments.animation) {
+    for (const fs::path& folder : folders) {
+      if (fs::exists(folder / "tissue.pvd")) continue;
+      std::cerr << fmt::format("--animation: {} has no tissue: there is no tissue.pvd\n", folder.string());
       wrong = true;
     }
   }
@@ -95,7 +114,10 @@ int report(const ReportArguments& arguments) {
     return ExitStatus::failed;
   }
   std::cout << fmt::format("{}: open in a browser\n", page.string());
-  return ExitStatus::done;
+  int status = ExitStatus::done;
+  if (arguments.animation)
+    for (const fs::path& folder : folders) status = std::max(status, animate(folder, figures, stopRequested));
+  return status;
 }
 
 }  // namespace
@@ -112,6 +134,8 @@ void addReportCommand(CLI::App& app, int& status) {
                    "file for the page (default: report.html in the folder; of several, a page beside the "
                    "first, with their names)")
       ->check(notEmpty("a file, or no such option for the default"));
+  command->add_flag("--animation", arguments->animation,
+                    "animation.gif in each folder too: the vessel cut open, day by day (minutes)");
   command->callback([arguments, &status] { status = report(*arguments); });
 }
 

@@ -39,7 +39,7 @@ struct RunArguments {
   SceneArguments scene;
   std::string folder;
   int threads = 0;
-  int ranks = 1;
+  int ranks = 0;
   bool resume = false;
   bool flowFromRest = false;
   bool quiet = false, verbose = false;
@@ -136,13 +136,14 @@ int runScene(const Scene& scene, const RunArguments& arguments) {
   const std::filesystem::path path = resultsPath(scene, arguments);
   if (!arguments.resume) requireFilesElsewhere(scene, path);
   const auto folder = arguments.resume ? ResultsFolder::resumed(path) : ResultsFolder::fresh(path);
-  if (!arguments.quiet) sayWhatIsKnown(scene, arguments.ranks);
+  const int ranks = rankCount(scene, arguments.ranks);
+  if (!arguments.quiet) sayWhatIsKnown(scene, ranks);
   std::ostream nowhere(nullptr);
   Progress progress(arguments.quiet ? nowhere : PrintableOutput::terminal(),
                     !arguments.quiet && Progress::onTerminal(), scene.scene.duration);
   if (arguments.verbose) progress.showEverything();
   const RunOptions options{.threads = threadCount(arguments.threads),
-                           .ranks = arguments.ranks,
+                           .ranks = ranks,
                            .stopRequested = &stopOnSignals(),
                            .flowFromRest = arguments.flowFromRest};
   Run run(scene, folder, progress, options);

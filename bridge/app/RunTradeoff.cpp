@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/app/RankOptions.h"
 #include "bridge/coupling/Run.h"
 #include "bridge/output/Progress.h"
 #include "bridge/output/ResultsFolder.h"
@@ -73,7 +74,7 @@ Outcome ranIn(const fs::path& folder, const Scene& scene, const std::string& tex
   const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
   Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
   Run run(scene, results, progress,
-          {.threads = options.threads, .ranks = options.ranks, .stopRequested = options.stopRequested});
+          {.threads = options.threads, .ranks = rankCount(scene, options.ranks), .stopRequested = options.stopRequested});
   if (goesOn) run.resume();
   atomicWrite(results.scene(), text);
   run.go();

@@ -32,7 +32,7 @@ struct TradeoffArguments {
   std::string folder;
   std::vector<std::string> vary;
   int threads = 0;
-  int ranks = 1;
+  int ranks = 0;
 };
 
 bool solvesFlow(const Scene& scene) { return scene.flow && scene.flow->backend != flowBackendNames::none; }

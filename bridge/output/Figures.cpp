@@ -81,6 +81,25 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
              stopRequested);
 }
 
+std::string Figures::animate(const fs::path& results, const std::atomic<bool>* stopRequested) const {
+  const Task task{.what = "animation",
+                  .incomplete = "the animation was not drawn",
+                  .arguments = {"--animation", fs::absolute(results)},
+                  .folder = results / ".figures",
+                  .log = results / "animation.log",
+                  .longer = 6};
+  try {
+    for (const char* file : {"animation.gif", "animation.partial.gif", "animation.log"})
+      removeIfLink(results / file);
+  } catch (const std::runtime_error& error) {
+    return fmt::format("no animation: {}", error.what());
+  }
+  const std::string problem = run(task, stopRequested);
+  std::error_code ignored;
+  if (problem.empty()) fs::remove(task.log, ignored);
+  return problem;
+}
+
 std::string Figures::writePage(std::span<const fs::path> results, const fs::path& page,
                                const std::atomic<bool>* stopRequested) const {
   const std::string name = page.string();
@@ -106,7 +125,8 @@ std::string Figures::run(const Task& task, const std::atomic<bool>* stopRequeste
   try {
     const OwnFolder own(task.folder);
     ExternalProgram python(interpreter_);
-    python.stopWhen(stopRequested).stopAfter(limit_);
+    const std::chrono::seconds limit = task.longer * limit_;
+    python.stopWhen(stopRequested).stopAfter(limit);
     for (const char* variable : {"MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
       python.setEnvironment(variable, own.path());
     python.withoutEnvironment(
@@ -118,7 +138,7 @@ std::string Figures::run(const Task& task, const std::atomic<bool>* stopRequeste
     const ProgramExit end = python.run(words, own.path(), task.log);
     if (end.interrupted()) return fmt::format("{} given up: interrupted", task.what);
     if (end.late)
-      return fmt::format("{} given up after {} s; see {}", task.what, limit_.count(), task.log.string());
+      return fmt::format("{} given up after {} s; see {}", task.what, limit.count(), task.log.string());
     if (end.succeeded()) return "";
     reason = lastLine(task.log);
     if (reason.empty()) reason = fmt::format("{}: {}", interpreter_, end.describe());

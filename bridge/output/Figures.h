@@ -24,6 +24,11 @@ class Figures {
   std::string draw(const std::filesystem::path& results,
                    const std::atomic<bool>* stopRequested = nullptr) const;
 
+  /// Draws animation.gif, vessel.png day by day, of a run that has tissue. Returns what kept it from being
+  /// drawn, as `draw` does.
+  std::string animate(const std::filesystem::path& results,
+                      const std::atomic<bool>* stopRequested = nullptr) const;
+
   /// Writes one page of a run, or of several runs and studies side by side, to `page`. Returns what kept it
   /// from being written, as `draw` does; the log is beside the page until it is written.
   std::string writePage(std::span<const std::filesystem::path> results, const std::filesystem::path& page,
@@ -37,6 +42,7 @@ class Figures {
     std::vector<std::string> arguments;
     std::filesystem::path folder;  ///< that the task may use, and removes
     std::filesystem::path log;
+    int longer = 1;  ///< it may take so many times as long as others
   };
   /// Has it done; returns what went wrong, empty where nothing did.
   std::string run(const Task& task, const std::atomic<bool>* stopRequested) const;

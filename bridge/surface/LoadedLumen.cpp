@@ -45,7 +45,7 @@ void requireDepth(const TriSurface& s) {
 }
 
 /// Says which pieces there are, the largest first.
-[[noreturn]] void refusePieces(const StlSolids& file, const std::vector<std::uint32_t>& pieceOf) {
+[[noreturn]] void refusePieces(const SurfaceSolids& file, const std::vector<std::uint32_t>& pieceOf) {
   std::vector<std::vector<std::uint32_t>> pieces(1 + std::ranges::max(pieceOf));
   for (std::uint32_t t = 0; t < pieceOf.size(); ++t) pieces[pieceOf[t]].push_back(t);
   std::ranges::stable_sort(pieces, std::greater(), [](const auto& piece) { return piece.size(); });
@@ -145,7 +145,7 @@ void requireSize(const TriSurface& s, const std::vector<LumenCap>& ends) {
 }
 
 /// A cap of a strut is no end.
-void requireEndsOfWall(const StlSolids& file, const std::vector<LumenCap>& ends) {
+void requireEndsOfWall(const SurfaceSolids& file, const std::vector<LumenCap>& ends) {
   for (const LumenCap& end : ends) {
     if (end.named) continue;
     const auto strut = std::ranges::find_if(end.triangles, [&](auto t) {
@@ -160,7 +160,7 @@ void requireEndsOfWall(const StlSolids& file, const std::vector<LumenCap>& ends)
   }
 }
 
-void requireWall(const StlSolids& file) {
+void requireWall(const SurfaceSolids& file) {
   const auto& regions = file.surface.region;
   if (std::ranges::find(regions, SurfaceRegion::wall) != regions.end()) return;
   std::vector<std::uint32_t> struts;
@@ -175,7 +175,7 @@ void requireWall(const StlSolids& file) {
 }  // namespace
 
 DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metresPerUnit) {
-  StlSolids file = readStlSolids(path, metresPerUnit);
+  SurfaceSolids file = readSurfaceSolids(path, metresPerUnit);
   TriSurface& s = file.surface;
   requireDepth(s);
   const auto named = namedRegions(file);

@@ -9,12 +9,12 @@
 
 namespace restenosis {
 
-/// Reads a lumen that a user has brought as an STL file, binary or ASCII, in units of `metresPerUnit` [m],
+/// Reads a lumen that a user has brought as a surface file (SurfaceFile.h), in units of `metresPerUnit` [m],
 /// and makes it a surface that flow can be solved in: closed, normals outwards, planar ends with the regions
 /// inlet and outlet (docs/model/lumen.md).
 ///
 /// Nothing need be named. Ends are planar caps whose whole rim is a sharp convex edge, or open planar rims,
-/// which are capped; there must be two. Solids of an ASCII file may say by their names what they are
+/// which are capped; there must be two. Solids may say by their names what they are
 /// (`meaningsOf`). Without such names the inlet is the end with the lower coordinate along the axis (x, y or
 /// z) on which the ends' centres differ most.
 ///

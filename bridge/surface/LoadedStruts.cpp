@@ -45,7 +45,7 @@ std::vector<StrutPiece> measure(const TriSurface& s, const std::vector<std::uint
 }
 
 /// A lumen with its stent in one file, say: its wall would become strut.
-void requireStrutsOnly(const StlSolids& solids, const std::filesystem::path& file) {
+void requireStrutsOnly(const SurfaceSolids& solids, const std::filesystem::path& file) {
   std::vector<std::uint32_t> struts, others;
   for (std::uint32_t n = 0; n < solids.names.size(); ++n) {
     const auto said = meaningsOf(solids.names[n]);
@@ -61,7 +61,7 @@ void requireStrutsOnly(const StlSolids& solids, const std::filesystem::path& fil
 }
 
 /// Makes all of it strut with normals outwards, and returns the pieces.
-std::vector<StrutPiece> makeStruts(StlSolids& solids, const std::filesystem::path& file) {
+std::vector<StrutPiece> makeStruts(SurfaceSolids& solids, const std::filesystem::path& file) {
   requireStrutsOnly(solids, file);
   TriSurface& s = solids.surface;
   const std::vector<std::uint32_t> pieceOf = orientPieces(s);
@@ -98,13 +98,13 @@ std::vector<StrutPiece> makeStruts(StlSolids& solids, const std::filesystem::pat
 }  // namespace
 
 TriSurface loadStruts(const std::filesystem::path& file, double metresPerUnit) {
-  StlSolids solids = readStlSolids(file, metresPerUnit);
+  SurfaceSolids solids = readSurfaceSolids(file, metresPerUnit);
   makeStruts(solids, file);
   return std::move(solids.surface);
 }
 
 std::string describeStruts(const std::filesystem::path& file, double metresPerUnit) {
-  StlSolids solids = readStlSolids(file, metresPerUnit);
+  SurfaceSolids solids = readSurfaceSolids(file, metresPerUnit);
   double volume = 0;
   const auto pieces = makeStruts(solids, file);
   for (const StrutPiece& piece : pieces) volume += std::abs(piece.volume);

@@ -7,9 +7,9 @@
 
 namespace restenosis {
 
-/// Reads the surface of a stent's struts from an STL file, binary or ASCII, in units of `metresPerUnit` [m]:
-/// one or several closed pieces. Normals are turned outwards, piece by piece, whatever they were, so that
-/// what a piece encloses is strut. All regions are `strut`.
+/// Reads the surface of a stent's struts from a surface file (SurfaceFile.h), in units of `metresPerUnit`
+/// [m]: one or several closed pieces. Normals are turned outwards, piece by piece, whatever they were, so
+/// that what a piece encloses is strut. All regions are `strut`.
 ///
 /// Throws std::runtime_error, which names the file and says what is wrong, where it cannot be read, has
 /// holes, or has edges of more than two triangles or pieces that enclose nothing, or beside solids named as

@@ -33,7 +33,7 @@ double areaOf(const TriSurface& s, const std::vector<std::uint32_t>& triangles) 
                          [&](double sum, std::uint32_t t) { return sum + s.areaVector(t).norm(); });
 }
 
-std::string endLine(const StlSolids& file, const LumenCap& end, SurfaceRegion which) {
+std::string endLine(const SurfaceSolids& file, const LumenCap& end, SurfaceRegion which) {
   const TriSurface& s = file.surface;
   const std::string solids = shownSolids(file, end.triangles);
   const std::string from = end.named ? fmt::format("{}, by its name", solids)
@@ -75,7 +75,7 @@ Eigen::Index axisBetween(const TriSurface& surface, const std::vector<LumenCap>&
   return axis;
 }
 
-std::vector<std::string> lumenParts(const StlSolids& file, const std::vector<LumenCap>& ends) {
+std::vector<std::string> lumenParts(const SurfaceSolids& file, const std::vector<LumenCap>& ends) {
   const TriSurface& s = file.surface;
   std::vector<std::string> lines{endLine(file, ends[0], SurfaceRegion::inlet),
                                  endLine(file, ends[1], SurfaceRegion::outlet)};
@@ -95,7 +95,7 @@ std::vector<std::string> lumenParts(const StlSolids& file, const std::vector<Lum
   return lines;
 }
 
-std::string remarkOnOtherFaces(const StlSolids& file, const std::vector<LumenCap>& ends) {
+std::string remarkOnOtherFaces(const SurfaceSolids& file, const std::vector<LumenCap>& ends) {
   const TriSurface& s = file.surface;
   if (!ends[0].named || !ends[1].named) return {};
   std::string list;
@@ -116,7 +116,7 @@ std::string remarkOnOtherFaces(const StlSolids& file, const std::vector<LumenCap
       faces > placesShown ? "; and more" : "");
 }
 
-std::string remarkOnStruts(const StlSolids& file) {
+std::string remarkOnStruts(const SurfaceSolids& file) {
   const TriSurface& s = file.surface;
   const auto struts = trianglesOf(s, SurfaceRegion::strut);
   if (struts.empty()) return {};

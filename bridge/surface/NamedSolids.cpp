@@ -14,7 +14,7 @@
 namespace restenosis {
 namespace {
 
-std::vector<std::uint32_t> trianglesOf(const StlSolids& file, std::uint32_t solid) {
+std::vector<std::uint32_t> trianglesOf(const SurfaceSolids& file, std::uint32_t solid) {
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t t = 0; t < file.solid.size(); ++t)
     if (file.solid[t] == solid) triangles.push_back(t);
@@ -36,7 +36,7 @@ std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
   return pieces;
 }
 
-[[noreturn]] void refusePieces(const StlSolids& file, SurfaceRegion which,
+[[noreturn]] void refusePieces(const SurfaceSolids& file, SurfaceRegion which,
                                const std::vector<LumenCap>& pieces) {
   std::string list;
   for (std::size_t n = 0; n < std::min(pieces.size(), placesShown); ++n)
@@ -50,7 +50,7 @@ std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
 }
 
 /// A wall of the same name as its end, say.
-void requirePlanar(const StlSolids& file, const LumenCap& end) {
+void requirePlanar(const SurfaceSolids& file, const LumenCap& end) {
   const TriSurface& s = file.surface;
   double area = 0.0;
   for (const auto t : end.triangles) area += s.areaVector(t).norm();
@@ -65,7 +65,7 @@ void requirePlanar(const StlSolids& file, const LumenCap& end) {
 
 }  // namespace
 
-std::vector<std::optional<SurfaceRegion>> namedRegions(const StlSolids& file) {
+std::vector<std::optional<SurfaceRegion>> namedRegions(const SurfaceSolids& file) {
   std::vector<std::optional<SurfaceRegion>> regions(file.names.size());
   for (std::uint32_t solid = 0; solid < file.names.size(); ++solid) {
     const auto said = meaningsOf(file.names[solid]);
@@ -86,7 +86,7 @@ std::vector<std::optional<SurfaceRegion>> namedRegions(const StlSolids& file) {
   return regions;
 }
 
-std::vector<LumenCap> namedEnds(const StlSolids& file,
+std::vector<LumenCap> namedEnds(const SurfaceSolids& file,
                                 const std::vector<std::optional<SurfaceRegion>>& regions,
                                 const SurfaceEdges& edges) {
   std::vector<LumenCap> ends;

@@ -12,11 +12,11 @@ namespace restenosis {
 /// What the name of each solid says that it is (`meaningsOf`); nothing of a solid that is all of the file,
 /// but that it is a strut. Throws std::runtime_error, naming the solid and its place, where one with
 /// triangles says several things at once.
-std::vector<std::optional<SurfaceRegion>> namedRegions(const StlSolids& file);
+std::vector<std::optional<SurfaceRegion>> namedRegions(const SurfaceSolids& file);
 
 /// The ends that solids are named to be. Throws std::runtime_error, naming the solids, with their size and
 /// place, where what is named one end is none: in several pieces, or not planar (`lumenEndPlanarity`).
-std::vector<LumenCap> namedEnds(const StlSolids& file,
+std::vector<LumenCap> namedEnds(const SurfaceSolids& file,
                                 const std::vector<std::optional<SurfaceRegion>>& regions,
                                 const SurfaceEdges& edges);
 

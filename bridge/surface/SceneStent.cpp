@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "bridge/surface/LengthUnit.h"
 #include "bridge/surface/LoadedStruts.h"
 #include "bridge/surface/SolidCover.h"
+#include "bridge/surface/SurfaceFile.h"
 #include "tissue/parameters/LengthUnits.h"
 #include "tissue/stent/StrutAgents.h"
 #include "tissue/vessel/Cylindrical.h"
@@ -25,15 +25,9 @@ constexpr double mostTooThin = 0.1;
 /// Spheres that a stent may have: assumed, far beyond any use.
 constexpr double mostSpheres = 2e6;
 
-bool isStl(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".stl";
-}
-
-class StlStruts {
+class SurfaceStruts {
  public:
-  StlStruts(const StentParameters& stent, const VesselParameters& vessel)
+  SurfaceStruts(const StentParameters& stent, const VesselParameters& vessel)
       : stent_(stent), vessel_(vessel), surface_(loadStruts(stent.file, metresPer(stent.fileUnit))) {}
 
   AgentTable spheres() const {
@@ -97,12 +91,12 @@ class StlStruts {
 }  // namespace
 
 AgentTable readStruts(const StentParameters& stent, const VesselParameters& vessel) {
-  if (isStl(stent.file)) return StlStruts(stent, vessel).spheres();
+  if (isSurfaceFile(stent.file)) return SurfaceStruts(stent, vessel).spheres();
   return readAgentTable(stent.file, AgentKind::strut);
 }
 
 std::string describeStentFile(const StentParameters& stent) {
-  return isStl(stent.file) ? describeStruts(stent.file, metresPer(stent.fileUnit)) : "";
+  return isSurfaceFile(stent.file) ? describeStruts(stent.file, metresPer(stent.fileUnit)) : "";
 }
 
 Stent makeStent(const StentParameters& stent, const VesselParameters& vessel) {

@@ -10,13 +10,14 @@
 namespace restenosis {
 
 /// The obstacle spheres of the file that a stent names, where the file has them: the rows of a CSV table, or
-/// those that cover the struts of an STL (`coverSolid`), whose name ends in .stl, in letters of any case. An
-/// STL must lie within the vessel, roughly: by this a mistaken unit is told. Whether spheres fit is for
+/// those that cover the struts of a surface file (`coverSolid`), told by its name's ending (SurfaceFile.h).
+/// It must lie within the vessel, roughly: by this a mistaken unit is told. Whether spheres fit is for
 /// outwardsToLumen to say. Throws std::runtime_error, which names the file and says what is wrong and what is
 /// allowed; AgentTableError for a table.
 AgentTable readStruts(const StentParameters& stent, const VesselParameters& vessel);
 
-/// What the STL that a stent names holds, for people; empty where it names none. Throws as readStruts does.
+/// What the surface file that a stent names holds, for people; empty where it names none. Throws as
+/// readStruts does.
 std::string describeStentFile(const StentParameters& stent);
 
 /// The stent of a scene before deployment, its outer face at the lumen's surface: of a design or from a file.

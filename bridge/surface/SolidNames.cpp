@@ -116,7 +116,7 @@ std::string shownSolids(const std::vector<std::string>& names, const std::vector
   return fmt::format("the solids {} and {}", fmt::join(list, ", "), last);
 }
 
-std::string shownSolids(const StlSolids& file, std::span<const std::uint32_t> triangles) {
+std::string shownSolids(const SurfaceSolids& file, std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> solids;
   for (const auto t : triangles)
     if (t < file.solid.size()) solids.push_back(file.solid[t]);

@@ -28,6 +28,6 @@ std::string shownSolids(const std::vector<std::string>& names, const std::vector
 
 /// The same of the solids that triangles belong to; triangles that the file does not have do not count. Empty
 /// where the file is one solid without a name.
-std::string shownSolids(const StlSolids& file, std::span<const std::uint32_t> triangles);
+std::string shownSolids(const SurfaceSolids& file, std::span<const std::uint32_t> triangles);
 
 }  // namespace restenosis

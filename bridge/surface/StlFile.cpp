@@ -21,6 +21,7 @@
 #include <string>
 
 #include "bridge/surface/StlTriangles.h"
+#include "bridge/surface/SurfaceFile.h"
 #include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
@@ -44,7 +45,7 @@ double medianOf(std::vector<double> values) {
 }
 
 /// A vertex far from all others would make them one.
-void refuseStrayVertex(const StlTriangles& triangles, const std::filesystem::path& file) {
+void refuseStrayVertex(const FileTriangles& triangles, const std::filesystem::path& file) {
   std::array<std::vector<double>, 3> coordinates;
   for (const auto& corners : triangles.corners)
     for (std::size_t k = 0; k < corners.size(); ++k) coordinates[k % 3].push_back(corners[k]);
@@ -63,7 +64,7 @@ void refuseStrayVertex(const StlTriangles& triangles, const std::filesystem::pat
 
 /// So far from the origin, single precision does not tell places of a surface apart. Its width is that of a
 /// tube of its area, as long as its box; very far away no area is left.
-void refuseDistant(const StlTriangles& triangles, const std::filesystem::path& file) {
+void refuseDistant(const FileTriangles& triangles, const std::filesystem::path& file) {
   Eigen::AlignedBox3d box;
   double area = 0.0, largest = 0.0;
   for (const auto& corners : triangles.corners) {
@@ -83,7 +84,7 @@ void refuseDistant(const StlTriangles& triangles, const std::filesystem::path& f
 }
 
 /// The triangles with their solids as cell data; every vertex appears once a triangle.
-vtkNew<vtkPolyData> polygonsOf(const StlTriangles& triangles) {
+vtkNew<vtkPolyData> polygonsOf(const FileTriangles& triangles) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons;
@@ -121,14 +122,14 @@ TriSurface surfaceOf(vtkPolyData& mesh, double metresPerUnit) {
 }
 
 /// Makes vertices within a distance, over the diagonal of the surface's box, one.
-StlSolids weld(const StlTriangles& triangles, double within, double metresPerUnit) {
+SurfaceSolids weld(const FileTriangles& triangles, double within, double metresPerUnit) {
   const vtkNew<vtkPolyData> soup = polygonsOf(triangles);
   vtkNew<vtkCleanPolyData> welded;
   welded->SetInputData(soup);
   welded->SetTolerance(within);
   welded->Update();
   vtkPolyData& mesh = *welded->GetOutput();
-  StlSolids result;
+  SurfaceSolids result;
   result.surface = surfaceOf(mesh, metresPerUnit);
   result.names = triangles.names;
   // Cells that lost their area come before the triangles
@@ -193,11 +194,11 @@ TriSurface readStl(const std::filesystem::path& file, double metresPerUnit) {
   return weld(readStlTriangles(file), 0.0, metresPerUnit).surface;
 }
 
-StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit) {
-  const StlTriangles triangles = readStlTriangles(file);
+SurfaceSolids readSurfaceSolids(const std::filesystem::path& file, double metresPerUnit) {
+  const FileTriangles triangles = readSurfaceTriangles(file);
   refuseStrayVertex(triangles, file);
   refuseDistant(triangles, file);
-  StlSolids result = weld(triangles, mergedWithin, metresPerUnit);
+  SurfaceSolids result = weld(triangles, mergedWithin, metresPerUnit);
   if (result.surface.triangles.empty())
     throw std::runtime_error(fmt::format("{} holds no triangles that have an area", file.string()));
   return result;

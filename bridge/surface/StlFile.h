@@ -25,18 +25,18 @@ void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface,
 TriSurface readStl(const std::filesystem::path& file, double metresPerUnit);
 
 /// Triangles as a file has them, and the solid that each belongs to.
-struct StlSolids {
+struct SurfaceSolids {
   TriSurface surface;                ///< every region is `wall`
   std::vector<std::uint32_t> solid;  ///< one a triangle
   std::vector<std::string> names;    ///< by solid; empty texts where the file names none, as binary ones do
 };
 
-/// Reads an STL file with its solids. Vertices closer than 1e-6 of the surface's extent (assumed: what seven
-/// digits leave) become one, and triangles that vanish by it are left out. Throws std::runtime_error like
-/// `readStlTriangles`, where a vertex is 1000 times as far from the middle as half of the others (assumed),
-/// where single precision rounds the largest coordinate by more than 0.001 of the surface's width (assumed),
-/// and where no triangle is left.
-StlSolids readStlSolids(const std::filesystem::path& file, double metresPerUnit);
+/// Reads a surface file (SurfaceFile.h) with its solids. Vertices closer than 1e-6 of the surface's extent
+/// (assumed: what seven digits leave) become one, and triangles that vanish by it are left out. Throws
+/// std::runtime_error like `readSurfaceTriangles`, where a vertex is 1000 times as far from the middle as
+/// half of the others (assumed), where single precision rounds the largest coordinate by more than 0.001 of
+/// the surface's width (assumed), and where no triangle is left.
+SurfaceSolids readSurfaceSolids(const std::filesystem::path& file, double metresPerUnit);
 
 /// Makes the triangles that lie in the planes z = 0 and z = `length` [m] inlet and outlet, and puts them
 /// exactly there; `tolerance` [m] is how far a vertex may be off.

@@ -57,7 +57,7 @@ std::size_t placeOfNext(std::string_view text, std::span<const std::string_view>
 class StlTextParser {
  public:
   StlTextParser(std::string_view text, std::string_view name, bool (*isRest)(std::string_view),
-                StlTriangles& result)
+                FileTriangles& result)
       : text_(text), name_(name), isRest_(isRest), result_(result) {
     if (text_.starts_with(byteOrderMark)) text_.remove_prefix(byteOrderMark.size());
   }
@@ -223,7 +223,7 @@ class StlTextParser {
   std::string_view text_;  ///< what is left of it behind this line
   std::string_view name_;
   bool (*isRest_)(std::string_view);
-  StlTriangles& result_;
+  FileTriangles& result_;
   std::size_t number_ = 0;                  ///< of this line
   std::string_view wholeLine_;              ///< from its beginning to the end of the text
   std::string_view line_;                   ///< what is left of it behind this statement
@@ -240,12 +240,12 @@ bool beginsAsStlText(std::string_view content) {
 }
 
 void takeStlText(std::string_view& content, std::string_view name, bool (*isRest)(std::string_view),
-                 StlTriangles& triangles) {
+                 FileTriangles& triangles) {
   content = StlTextParser(content, name, isRest, triangles).parse();
 }
 
-StlTriangles parseStlText(std::string_view text, std::string_view name) {
-  StlTriangles result;
+FileTriangles parseStlText(std::string_view text, std::string_view name) {
+  FileTriangles result;
   takeStlText(text, name, nullptr, result);
   return result;
 }

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "bridge/surface/StlTriangles.h"
+#include "bridge/surface/FileTriangles.h"
 
 namespace restenosis {
 
@@ -26,12 +26,12 @@ bool beginsAsStlText(std::string_view content);
 /// "endsolid" or its name without a blank. Normals are not read.
 ///
 /// Throws std::runtime_error, "`name`:LINE: what is wrong", at the first line that is none of these.
-StlTriangles parseStlText(std::string_view text, std::string_view name);
+FileTriangles parseStlText(std::string_view text, std::string_view name);
 
 /// Reads solids in the same way off the front of `content` and adds them to `triangles`, until no text
 /// follows the end of a solid: what is left of `content` is for the caller to judge. `isRest` says whether a
 /// binary file may begin right behind an "endsolid" or its name; null: all of it is text.
 void takeStlText(std::string_view& content, std::string_view name, bool (*isRest)(std::string_view),
-                 StlTriangles& triangles);
+                 FileTriangles& triangles);
 
 }  // namespace restenosis

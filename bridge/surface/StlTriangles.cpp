@@ -71,7 +71,7 @@ bool isFurtherSolids(std::string_view rest) {
 }
 
 /// Takes a binary solid off the front of what is left of the file.
-void takeBinary(std::string_view& rest, const std::filesystem::path& file, StlTriangles& result) {
+void takeBinary(std::string_view& rest, const std::filesystem::path& file, FileTriangles& result) {
   if (rest.size() < headerSize)
     refuse(file, fmt::format("is cut off, or is no STL file: it has {} bytes, the header of a binary one {}",
                              rest.size(), headerSize));
@@ -110,7 +110,7 @@ void takeBinary(std::string_view& rest, const std::filesystem::path& file, StlTr
 
 /// Takes solids in ASCII off the front of what is left of the file.
 void takeText(std::string_view& rest, std::size_t at, const std::filesystem::path& file,
-              StlTriangles& result) {
+              FileTriangles& result) {
   const std::string name =
       at == 0 ? file.string() : fmt::format("{}, text from byte {} on", file.string(), at + 1);
   takeStlText(rest, name, isFurtherSolids, result);
@@ -123,10 +123,10 @@ void takeText(std::string_view& rest, std::size_t at, const std::filesystem::pat
 
 }  // namespace
 
-StlTriangles readStlTriangles(const std::filesystem::path& file) {
+FileTriangles readStlTriangles(const std::filesystem::path& file) {
   const std::string content = contentOf(file, largestStlFile);
   if (content.empty()) refuse(file, "is empty: it must be an STL file");
-  StlTriangles result;
+  FileTriangles result;
   for (std::string_view rest = content; !rest.empty();) {
     const bool first = rest.size() == content.size();
     if (!first && rest.size() < bytesOfATriangle) break;

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <string>
-#include <vector>
+
+#include "bridge/surface/FileTriangles.h"
 
 namespace restenosis {
-
-/// The triangles of an STL file as it has them, in its own unit: in single precision where it is binary.
-struct StlTriangles {
-  std::vector<std::array<double, 9>> corners;  ///< x, y, z of each of three corners
-  std::vector<std::uint32_t> solid;            ///< one a triangle
-  std::vector<std::string> names;              ///< by solid; empty texts where the file names none
-};
 
 /// Reads an STL file, binary or ASCII, with all of its solids: files of either kind may be joined, also where
 /// the first is binary. A binary solid may begin with "solid" too: what is ASCII has no control characters
@@ -24,6 +15,6 @@ struct StlTriangles {
 /// Throws std::runtime_error, which names the file and, where it is ASCII, the line, if it is missing, cut
 /// off, no STL, or without triangles, where it has 50 bytes or more behind a solid that are no further one,
 /// so too where a header announces none of the triangles that follow it, and where a vertex is not finite.
-StlTriangles readStlTriangles(const std::filesystem::path& file);
+FileTriangles readStlTriangles(const std::filesystem::path& file);
 
 }  // namespace restenosis

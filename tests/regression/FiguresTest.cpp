@@ -48,6 +48,18 @@ TEST(Figures, DrawsEveryPictureAndPutsAllOnOnePage) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
+TEST(Example, ReadsARunAndDrawsIt) {
+  if (std::system("/usr/bin/python3 -c 'import matplotlib, pandas, vtkmodules' >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "install python3-matplotlib, python3-pandas and python3-vtk9 to run this test";
+  TemporaryFolder folder;
+  SyntheticResults().write(folder.path());
+  const ProcessEnd end =
+      Process({RESTENOSIS_SOURCE_DIR "/examples/notebook.py", folder.path().string()}, folder.path())
+          .wait(60s);
+  EXPECT_EQ(end.status, 0) << toString(end);
+  EXPECT_GT(fs::file_size(folder / "examples.png"), 20000U);
+}
+
 TEST(Figures, AreDrawnWhateverTheUserHasSetForOtherPrograms) {
   if (!pythonHasPackages())
     GTEST_SKIP() << "install python3-matplotlib, python3-vtk9 and xvfb to run this test";

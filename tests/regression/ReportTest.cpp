@@ -83,6 +83,19 @@ TEST_F(Report, LaysRunsAndStudiesSideBySide) {
   EXPECT_EQ(page("other.html"), text);
 }
 
+TEST_F(Report, DrawsTheVesselDayByDay) {
+  if (std::getenv("DISPLAY") == nullptr && std::system("command -v Xvfb >/dev/null") != 0)
+    GTEST_SKIP() << "install xvfb to run this test";
+  write(folder / "a", "110 um");
+  const ProcessEnd end = report({"a", "--animation"});
+  ASSERT_EQ(end.status, 0) << toString(end);
+  EXPECT_TRUE(readText(folder / "a/animation.gif").starts_with("GIF89a"));
+  EXPECT_GT(fs::file_size(folder / "a/animation.gif"), 20000U) << "not blank";
+  EXPECT_FALSE(fs::exists(folder / "a/animation.log"));
+  fs::remove(folder / "a/tissue.pvd");
+  EXPECT_EQ(report({"a", "--animation"}).status, 2);
+}
+
 TEST_F(Report, RefusesWhatIsNoResult) {
   write(folder / "a", "110 um");
   fs::create_directory(folder / "empty");

@@ -160,11 +160,11 @@ TEST(LumenStl, endsThatAreNotCutAreSolids) {
   const TemporaryFolder scratch;
   const TriSurface bent = bentTube(1e-3, 1e-3, 2e-3, 1e-3);
   writeLumenStl(bent, LumenEnds::caps, 0.2e-3, scratch / "caps.stl");
-  const auto caps = readStlSolids(scratch / "caps.stl", 1.0);
+  const auto caps = readSurfaceSolids(scratch / "caps.stl", 1.0);
   EXPECT_EQ(caps.names, (std::vector<std::string>{"wall", "inlet", "outlet"}));
   EXPECT_TRUE(surfaceEdges(caps.surface).open.empty());
   writeLumenStl(bent, LumenEnds::inletCut, 0.2e-3, scratch / "inletCut.stl");
-  const auto inletCut = readStlSolids(scratch / "inletCut.stl", 1.0);
+  const auto inletCut = readSurfaceSolids(scratch / "inletCut.stl", 1.0);
   EXPECT_EQ(inletCut.names, (std::vector<std::string>{"wall", "outlet"}));
   EXPECT_TRUE(surfaceEdges(inletCut.surface).open.empty());
   EXPECT_NEAR(enclosedVolume(inletCut.surface) - enclosedVolume(bent), 1e-6 * std::numbers::pi * 0.2e-3,

@@ -117,12 +117,23 @@ TEST(Plan, SaysWhatTheFlowOfGrowingTissueIsLikelyToTake) {
   scene.cellCycle.emplace();
   scene.endothelium.emplace().scenario = "3-23 days";
   scene.flow.emplace().backend = "foam";
+  scene.coupling.lumenTolerance = 20e-6;
   // From day 3 to day 10
-  EXPECT_NE(planText(scene).find(" a solve; 7 to 28 solves are likely: "), std::string::npos)
+  EXPECT_NE(planText(scene).find(" a solve; 5 to 9 solves are likely: "), std::string::npos)
+      << planText(scene);
+  scene.activation.emplace();
+  EXPECT_NE(planText(scene).find(" a solve; 14 to 26 solves are likely: "), std::string::npos)
       << planText(scene);
   scene.coupling.lumenInterval = 12 * 3600;
-  EXPECT_NE(planText(scene).find(" a solve; 7 to 15 solves are likely: "), std::string::npos)
+  EXPECT_NE(planText(scene).find(" a solve; 14 to 15 solves are likely: "), std::string::npos)
       << planText(scene);
+  scene.activation.reset();
+  scene.coupling.lumenInterval = 0;
+  scene.coupling.lumenTolerance = 5e-6;
+  EXPECT_NE(planText(scene).find(" a solve; 24 to 169 solves are likely: "), std::string::npos)
+      << planText(scene);
+  scene.coupling.lumenTolerance = 0;
+  EXPECT_NE(planText(scene).find(" a solve; 169 solves are likely: "), std::string::npos) << planText(scene);
   scene.coupling.schedule = "everyStep";
   EXPECT_NE(planText(scene).find(" a solve; 241 solves are likely: "), std::string::npos) << planText(scene);
 }

@@ -45,7 +45,7 @@ std::string refusalOfStlText(std::string_view text) {
 }
 
 void expectTwoSolids(std::string_view text) {
-  const StlTriangles read = parseStlText(text, "x.stl");
+  const FileTriangles read = parseStlText(text, "x.stl");
   ASSERT_EQ(read.corners.size(), 2u);
   EXPECT_EQ(read.corners[0], (std::array<double, 9>{0, 0, 0, 1.5, 0, -2e-3, 0, 1, 0}));
   EXPECT_EQ(read.corners[1][8], 7.0);
@@ -61,7 +61,7 @@ TEST(StlText, SolidsAreRead) {
 }
 
 TEST(StlText, NumbersKeepTheirDigits) {
-  const StlTriangles read = parseStlText(replaced(twoSolids, "1.5", "100000.123456789"), "x.stl");
+  const FileTriangles read = parseStlText(replaced(twoSolids, "1.5", "100000.123456789"), "x.stl");
   EXPECT_EQ(read.corners[0][3], 100000.123456789);
 }
 
@@ -85,7 +85,7 @@ TEST(StlText, ALineMayHoldSeveralStatementsOrAll) {
         replaced(twoSolids, "\nvertex", " vertex"), replaced(twoSolids, "normal 0 0 1\n", "normal 0 0 1 "),
         replaced(twoSolids, "outer loop\n", "OUTER LOOP "), replaced(twoSolids, "endfacet\n", "endfacet ")})
     expectTwoSolids(line);
-  const StlTriangles read = parseStlText(replaced(named, "\n", " "), "x.stl");
+  const FileTriangles read = parseStlText(replaced(named, "\n", " "), "x.stl");
   EXPECT_EQ(read.names, (std::vector<std::string>{"the inlet", "next"}));
   EXPECT_EQ(read.corners.size(), 2u);
   EXPECT_EQ(refusalOfStlText(replaced(replaced(twoSolids, "vertex 1 0 0", "vertex 1 0"), "\n", " ")),
@@ -95,7 +95,7 @@ TEST(StlText, ALineMayHoldSeveralStatementsOrAll) {
 TEST(StlText, NamesMayHoldWordsOfStl) {
   for (const char* name : {"solid part", "a facet of it", "my solid", "outer loop", "vertex normal"}) {
     const std::string text = replaced(twoSolids, "the inlet", name);
-    const StlTriangles read = parseStlText(text, "x.stl");
+    const FileTriangles read = parseStlText(text, "x.stl");
     EXPECT_EQ(read.names, (std::vector<std::string>{name, ""}));
     EXPECT_EQ(read.corners.size(), 2u);
   }

@@ -123,14 +123,14 @@ TEST_F(StlTrianglesFile, FilesOfEitherKindMayBeJoined) {
                {ascii + std::string(20, '\0') + "\n\x1A", count, {"wall", "inlet", "outlet"}}};
   for (const auto& c : cases) {
     ASSERT_EQ(refusal(c.content), "accepted") << &c - cases;
-    const StlTriangles read = readStlTriangles(file);
+    const FileTriangles read = readStlTriangles(file);
     EXPECT_EQ(read.corners.size(), c.triangles) << &c - cases;
     EXPECT_EQ(read.solid.size(), c.triangles) << &c - cases;
     EXPECT_EQ(read.names, c.names) << &c - cases;
   }
   // The last triangle and its solid are those of the last file
   writeText(file, ascii + whole);
-  const StlTriangles joined = readStlTriangles(file);
+  const FileTriangles joined = readStlTriangles(file);
   writeText(file, whole);
   EXPECT_EQ(joined.corners.back(), readStlTriangles(file).corners.back());
   EXPECT_EQ(joined.solid.back(), 3u);
@@ -151,16 +151,16 @@ TEST_F(StlTrianglesFile, ABinaryFileMayBeginAsAnAsciiOne) {
   std::string named = whole;
   named.replace(0, 12, "solid inlet ");
   writeText(file, named);
-  const StlTriangles read = readStlTriangles(file);
+  const FileTriangles read = readStlTriangles(file);
   EXPECT_EQ(read.corners.size(), count);
   EXPECT_EQ(read.names, std::vector<std::string>{""});
   EXPECT_NE(refusal(named.substr(0, named.size() - 30)).find("is cut off"), std::string::npos);
 }
 
 TEST_F(StlTrianglesFile, BothKindsHaveTheSameTriangles) {
-  const StlTriangles binary = readStlTriangles(file);
+  const FileTriangles binary = readStlTriangles(file);
   writeNamedStl(file, surface, 1e-3);
-  const StlTriangles ascii = readStlTriangles(file);
+  const FileTriangles ascii = readStlTriangles(file);
   EXPECT_EQ(ascii.names, (std::vector<std::string>{"wall", "inlet", "outlet"}));
   EXPECT_EQ(std::count(ascii.solid.begin(), ascii.solid.end(), 0u), 3072);
   ASSERT_EQ(ascii.corners.size(), count);

@@ -73,6 +73,10 @@ double Biology::endotheliumOnset() const {
   return endothelium_ ? endothelium_->onset() : std::numeric_limits<double>::infinity();
 }
 
+double Biology::endotheliumCompletion() const {
+  return endothelium_ ? endothelium_->completion() : std::numeric_limits<double>::infinity();
+}
+
 double Biology::arrestingWss() const {
   return nitricOxide_ ? nitricOxide_->wssForNitricOxide(nitricOxide_->threshold())
                       : std::numeric_limits<double>::infinity();

@@ -59,6 +59,8 @@ class Biology {
   const ArrestRules& rules() const { return rules_; }
   /// Time of the first coverage [s]; infinity where there is never any.
   double endotheliumOnset() const;
+  /// Time from which on endothelium is whole [s]; infinity where it never is.
+  double endotheliumCompletion() const;
   /// WSS [Pa] at which a covered cell is sent to rest; infinity without endothelium.
   double arrestingWss() const;
 

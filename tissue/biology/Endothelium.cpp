@@ -20,6 +20,8 @@ double Endothelium::target(double time) const { return denuded_ ? scenario_.cove
 
 double Endothelium::onset() const { return denuded_ ? scenario_.onset() : 0.0; }
 
+double Endothelium::completion() const { return denuded_ ? scenario_.completion() : 0.0; }
+
 void Endothelium::begin(AgentStore& agents) const {
   if (!agents.maturity.modelled()) return;
   for (Index i = 0; i < agents.size(); ++i) agents.maturity.set(i, agents.has(i, covered) ? 1 : 0);

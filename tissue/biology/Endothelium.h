@@ -43,6 +43,8 @@ class Endothelium {
   double target(double time) const;
   /// Time of the first coverage [s]; infinity for never.
   double onset() const;
+  /// Time from which on it is whole [s]; infinity for never.
+  double completion() const;
   /// Deployment is over: endothelium that it left is mature.
   void begin(AgentStore& agents) const;
   /// `duration` [s] has passed since the last call.

@@ -22,6 +22,8 @@ struct EndotheliumScenario {
   double coverage(double time) const;
   /// Time before which there is none [s]; infinity for never any.
   double onset() const { return points.front().time; }
+  /// Time from which on there is no more of it [s]; infinity for never any.
+  double completion() const { return points.back().time; }
 };
 
 /// All scenarios.

@@ -22,12 +22,13 @@ void StentParameters::describe(ParameterVisitor& p) {
             .source = "T6",
             .description = "one ring halfway along; rings; rings joined by straight "
                            "links; a helix; sinusoidal rings joined by links"});
-  p.file(file, {.key = "file",
-                .source = "none",
-                .description = "STL of the struts (name ends in .stl), or CSV table of obstacle agents "
-                               "(x, y, z, radius in um), instead of a design"});
+  p.file(file,
+         {.key = "file",
+          .source = "none",
+          .description = "surface of the struts (.stl, .vtp, .ply or .obj), or CSV table of obstacle agents "
+                         "(x, y, z, radius in um), instead of a design"});
   p.choice(fileUnit, {"m", "cm", "mm", "um"},
-           {.key = "fileUnit", .source = "none", .description = "length unit of file where it is an STL"});
+           {.key = "fileUnit", .source = "none", .description = "length unit of file where it is a surface"});
   p.quantity(length, {.key = "length",
                       .unit = "mm",
                       .minimum = 0,

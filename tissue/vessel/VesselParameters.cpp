@@ -4,12 +4,11 @@ namespace restenosis {
 
 void VesselParameters::describe(ParameterVisitor& p) {
   // First: a surface has its own length and diameter
-  p.file(lumenSurface,
-         {.key = "lumenSurface",
-          .source = "none",
-          .description =
-              "STL of the lumen to use instead of a cylinder; tissue is built outwards from it; length "
-              "and lumenDiameter are then the surface's own unless given"});
+  p.file(lumenSurface, {.key = "lumenSurface",
+                        .source = "none",
+                        .description = "surface of the lumen (.stl, .vtp, .ply or .obj) instead of a "
+                                       "cylinder; tissue is built outwards from it; length "
+                                       "and lumenDiameter are then the surface's own unless given"});
   p.choice(lumenSurfaceUnit, {"m", "cm", "mm", "um"},
            {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
   const bool cylinder = lumenSurface.empty();

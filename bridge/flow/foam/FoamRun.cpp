@@ -138,7 +138,7 @@ double FoamRun::checkMesh() {
                             report.skewFaces <= static_cast<std::size_t>(settings_.skewFaces) &&
                             report.skewness <= settings_.skewness;
   if (fewSkewFaces) {
-    solution_.remarks.push_back(fmt::format("the mesh has {} highly skew faces, of a skewness up to {:.3g}",
+    solution_.remarks.push_back(fmt::format("the mesh has highly skew faces: {}, of a skewness up to {:.3g}",
                                             report.skewFaces, report.skewness));
   } else if (!report.ok) {
     fail("checkMesh", report.problem);

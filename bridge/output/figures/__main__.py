@@ -2,12 +2,13 @@
 
     /usr/bin/python3 -I -B bridge/output/figures RESULTS [PICTURE]
     /usr/bin/python3 -I -B bridge/output/figures --page PAGE RESULTS...
+    /usr/bin/python3 -I -B bridge/output/figures --animation RESULTS
 
 Writes vessel.png, growth.png, section.png, lumen.png and lumen3d.png, of a lumen from a file without tissue only the
 last, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
 all of it; growth, section and lumen as PDF too; view.pvsm is the same for ParaView. In the folder of a comparison it writes compareMaps.png and
 compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that; with --page the page alone, of one run or of
-several runs and studies side by side. Needs Debian's python3-matplotlib and
+several runs and studies side by side; with --animation vessel.png day by day, animation.gif. Needs Debian's python3-matplotlib and
 python3-vtk9, and xvfb where there is no display. The page is written without the pictures that cannot be drawn. Exit
 status 0 when every picture that the results allow was drawn; otherwise the last line printed says what is missing.
 
@@ -37,6 +38,7 @@ PICTURES = {
     "view.pvsm": ("view", "write"),
     "lumen3d.png": ("lumen3d", "draw"),
 }
+ON_REQUEST = {"animation.gif": ("vessel", "animate")}
 VECTORS = ("growth.pdf", "lumen.pdf", "section.pdf")  # beside the pictures of these names
 IN_SPACE = {"vessel.png": "tissue.pvd", "lumen3d.png": "lumen.pvd"}  # and what they are drawn from
 DEBIANS_PYTHON = "/usr/bin/python3"
@@ -65,7 +67,7 @@ def draw(folder, name):
     matplotlib.use("Agg")
     matplotlib.rcdefaults()  # whatever the user has set for other figures
     matplotlib.rcParams["text.parse_math"] = False  # names are text, whatever is in them
-    module, function = PICTURES[name]
+    module, function = {**PICTURES, **ON_REQUEST}[name]
     getattr(importlib.import_module(module), function)(folder, folder / name)
 
 
@@ -123,6 +125,14 @@ def write_page(folder):
     return []
 
 
+def write_animation(folder):
+    """Writes animation.gif; returns the exit status."""
+    problem = obstacle() or draw_in_space(folder, "animation.gif")
+    if problem:
+        print(f"animation.gif: {problem}", file=sys.stderr)
+    return 1 if problem else 0
+
+
 def write_page_of(folders, path):
     """Writes a page of one run, or of several and of studies; returns the exit status."""
     try:
@@ -139,6 +149,8 @@ def write_page_of(folders, path):
 def main():
     if len(sys.argv) > 3 and sys.argv[1] == "--page":
         return write_page_of([Path(folder) for folder in sys.argv[3:]], Path(sys.argv[2]))
+    if len(sys.argv) == 3 and sys.argv[1] == "--animation":
+        return write_animation(Path(sys.argv[2]))
     if len(sys.argv) not in (2, 3):
         print("usage: figures RESULTS [PICTURE]", file=sys.stderr)
         return 2

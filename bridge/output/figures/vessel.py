@@ -1,4 +1,5 @@
-"""vessel.png: the vessel cut open along its axis on the last day: stent, new tissue, laminae and media. Needs a display."""
+"""vessel.png: the vessel cut open along its axis on the last day: stent, new tissue, laminae and media. animation.gif: the
+same day by day. Both need a display."""
 
 import anatomy
 import matplotlib.pyplot as plt
@@ -6,6 +7,7 @@ import numpy as np
 import rendering
 import results
 import style
+from PIL import Image
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -17,6 +19,9 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 
 LONG_SIDE = 1500  # of the picture [pixels]
 DOTS = 200  # pixels to an inch
+FRAMES = 25  # of an animation at most
+FRAME_TIME, LAST_TIME = 300, 2500  # how long one is shown [ms]
+FRAME_WIDTH = 1000  # [pixels]
 WORDS = (480, 110)  # room for them on the right of the picture and below it [pixels]
 TURNED, RAISED = np.radians(28), np.radians(18)  # the camera, from the x axis towards the outlet and upwards
 BENEATH = 45  # from the vessel to what is written beneath it [pixels]
@@ -175,19 +180,54 @@ def framed(image):
     return figure, axis
 
 
-def draw(folder, path):
-    day, file = results.frames(folder, "tissue")[-1]
+def visible(file):
+    """Places and radii [mm] of the agents that are seen, and the part that each belongs to."""
     agents = results.agents(file)
     line = anatomy.iel_line(agents)
     part = anatomy.parts(agents, line)
     shown = seen(agents, part, line)
-    points, radius, part = 1e3 * agents["position"][shown], 1e3 * agents["radius"][shown], part[shown]
-    view = View(points, margin=2 * radius.max())
-    image = render(view, points, radius, part)
+    return 1e3 * agents["position"][shown], 1e3 * agents["radius"][shown], part[shown]
 
+
+def view_of(points, radius, _):
+    return View(points, margin=2 * radius.max())
+
+
+def picture(view, spheres_seen, day, flows, named):
+    """A figure of a day; `named`: parts for the legend."""
+    points, _, _ = spheres_seen
+    figure, axis = framed(render(view, *spheres_seen))
+    mark(axis, view, points, flows)
+    legend(figure, named, style.day_label(day))
+    return figure
+
+
+def draw(folder, path):
+    day, file = results.frames(folder, "tissue")[-1]
+    last = visible(file)
     style.apply()
-    figure, axis = framed(image)
-    mark(axis, view, points, results.flows(folder))
-    legend(figure, part, style.day_label(day))
+    figure = picture(view_of(*last), last, day, results.flows(folder), last[2])
     style.save(figure, path)
     plt.close(figure)
+
+
+def animate(folder, path):
+    frames = results.frames(folder, "tissue")
+    chosen = np.unique(np.linspace(0, len(frames) - 1, FRAMES).round().astype(int))
+    last = visible(frames[-1][1])
+    view, flows = view_of(*last), results.flows(folder)
+    style.apply()
+    images = []
+    for day, file in (frames[number] for number in chosen):
+        figure = picture(view, visible(file), day, flows, last[2])
+        figure.canvas.draw()
+        image = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
+        plt.close(figure)
+        height = round(FRAME_WIDTH * image.height / image.width)
+        images.append(image.resize((FRAME_WIDTH, height), Image.LANCZOS))
+    colours = images[-1].quantize(96)  # of the last day, which has all that the legend names
+    images = [image.quantize(palette=colours, dither=Image.Dither.NONE) for image in images]
+    times = [FRAME_TIME] * (len(images) - 1) + [LAST_TIME]
+    unfinished = path.with_suffix(".partial.gif")
+    images[0].save(unfinished, save_all=True, append_images=images[1:], duration=times, loop=0)
+    unfinished.replace(path)

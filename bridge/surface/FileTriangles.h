@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace restenosis {
+
+/// The triangles of a surface file as it has them, in its own unit and often in single precision.
+struct FileTriangles {
+  std::vector<std::array<double, 9>> corners;  ///< x, y, z of each of three corners
+  std::vector<std::uint32_t> solid;            ///< one a triangle
+  std::vector<std::string> names;              ///< by solid; empty texts where the file names none
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(corners, solid, names);
+  }
+};
+
+}  // namespace restenosis
