@@ -98,8 +98,7 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
             std::optional<ComparedLumen> given, const std::vector<Vec3>& probes) {
   // Said before a wall is packed and deployed for it
   const int ranks = rankCount(scene, arguments.ranks);
-  if (const std::string missing = missingFoamProgram(ranks); !missing.empty())
-    throw FlowFailed(missing, {});
+  if (const std::string missing = missingFoamProgram(ranks); !missing.empty()) throw FlowFailed(missing, {});
   if (const std::string missing = missingFoamTemplate(); !missing.empty()) throw FlowFailed(missing, {});
   // A run that starts in these results would move the comparison aside
   std::optional<ResultsFolder> compared;

@@ -74,7 +74,9 @@ Outcome ranIn(const fs::path& folder, const Scene& scene, const std::string& tex
   const auto results = goesOn ? ResultsFolder::existing(folder) : ResultsFolder::fresh(folder);
   Progress progress(PrintableOutput::terminal(), Progress::onTerminal(), scene.scene.duration);
   Run run(scene, results, progress,
-          {.threads = options.threads, .ranks = rankCount(scene, options.ranks), .stopRequested = options.stopRequested});
+          {.threads = options.threads,
+           .ranks = rankCount(scene, options.ranks),
+           .stopRequested = options.stopRequested});
   if (goesOn) run.resume();
   atomicWrite(results.scene(), text);
   run.go();
