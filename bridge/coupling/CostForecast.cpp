@@ -28,15 +28,16 @@ namespace {
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
-  double programBytes = 4e7;
-  double bytesPerAgent = 450;  ///< state, bonds, neighbour lists, output buffers
+  double programBytes = 6e7;
+  double bytesPerAgent = 670;  ///< state, bonds, neighbour lists, output buffers
   double bytesPerNode = 7;     ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
-  double deploySecondsPerStep = 3e-6;                             ///< per agent
-  double growSecondsPerStep = 1.5e-6, restSecondsPerStep = 6e-7;  ///< per agent: until and after growthEnd
+  double deploySecondsPerStep = 3e-6;  ///< per agent
+  // Per agent: until growthEnd, where the surface grows or the bulk too, and after it
+  double surfaceSecondsPerStep = 1.4e-6, bulkSecondsPerStep = 2e-6, restSecondsPerStep = 6e-7;
   // One solve by OpenFOAM, with its mesh, and by the lattice
-  double solverBytes = 6e7, bytesPerCell = 400, secondsPerCell = 4.2e-4, shareOfTwoRanks = 0.73;
-  double bytesPerLatticeNode = 200, secondsPerLatticeNode = 1e-5;
+  double foamBytes = 1.3e8, bytesPerCell = 4300, secondsPerCell = 4.2e-4, shareOfTwoRanks = 0.73;
+  double latticeBytes = 3e7, bytesPerLatticeNode = 200, secondsPerLatticeNode = 1e-5;
 };
 
 /// About the grid that the lumen of the deployed wall is taken from.
@@ -150,16 +151,20 @@ std::optional<FlowCost> flowCost(const Scene& scene) {
   const LumenSize lumen = lumenSize(scene);
   const CostEstimate cost;
   const auto of = [&](double pieces, std::string_view kind, double bytes, double seconds) {
-    FlowCost flow{pieces, kind, cost.solverBytes + bytes * pieces, seconds * pieces};
+    FlowCost flow{pieces, kind, bytes, seconds * pieces};
     setSolves(flow, scene);
     return flow;
   };
-  if (scene.flow->backend == flowBackendNames::foam)
-    return of(expectedCells(lumen, scene.foamSettings()), "cells", cost.bytesPerCell,
+  if (scene.flow->backend == flowBackendNames::foam) {
+    const double cells = expectedCells(lumen, scene.foamSettings());
+    return of(cells, "cells", cost.foamBytes + cost.bytesPerCell * cells,
               cost.secondsPerCell * (usualRanks(scene) == 2 ? cost.shareOfTwoRanks : 1));
-  if (scene.flow->backend == flowBackendNames::lbm)
-    return of(lumen.volume / std::pow(scene.lbmSettings().dx, 3), "lattice nodes", cost.bytesPerLatticeNode,
+  }
+  if (scene.flow->backend == flowBackendNames::lbm) {
+    const double nodes = lumen.volume / std::pow(scene.lbmSettings().dx, 3);
+    return of(nodes, "lattice nodes", cost.latticeBytes + cost.bytesPerLatticeNode * nodes,
               cost.secondsPerLatticeNode);
+  }
   return of(lumen.wallArea / std::pow(scene.coupling.surfaceResolution, 2), "places on the wall", 0, 0);
 }
 
@@ -174,10 +179,9 @@ std::optional<TissueCost> tissueCost(const Scene& scene) {
   const double packing = tissue.counted ? 0 : cost.packSecondsPerAgent;
   const double deploySteps = scene.stent ? static_cast<double>(scene.stent->deploymentSteps) : 0;
   const double growing = growthEnd(scene), resting = scene.scene.duration - growing;
+  const double growingSeconds = scene.activation ? cost.bulkSecondsPerStep : cost.surfaceSecondsPerStep;
   const double growth =
-      scene.cellCycle
-          ? (growing * cost.growSecondsPerStep + resting * cost.restSecondsPerStep) / scene.scene.step
-          : 0;
+      scene.cellCycle ? (growing * growingSeconds + resting * cost.restSecondsPerStep) / scene.scene.step : 0;
   tissue.seconds = tissue.agents * (packing + deploySteps * cost.deploySecondsPerStep + growth);
   tissue.bytes = cost.programBytes + tissue.agents * cost.bytesPerAgent +
                  static_cast<double>(lumenGrid(scene).size()) * cost.bytesPerNode;

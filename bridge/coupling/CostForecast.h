@@ -13,7 +13,7 @@ namespace restenosis {
 struct FlowCost {
   double pieces = 0;
   std::string_view kind;                        ///< what these are: cells, lattice nodes, places on the wall
-  double bytes = 0;                             ///< of the solver
+  double bytes = 0;                             ///< of the solver, and of the program beside its tissue
   double secondsASolve = 0;                     ///< with the mesh, on two cores
   std::uint32_t fewSolves = 1, manySolves = 1;  ///< likely, where the tissue decides how often
 };

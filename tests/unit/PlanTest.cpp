@@ -176,8 +176,8 @@ TEST(Plan, EstimatesTheMemoryOfAgentsAndOfTheFieldAroundThem) {
   longer.vessel.length *= 2;
   const double others = memory(scene);
   EXPECT_NEAR((memory(finer) - others) / (memory(fine) - others), 215.0 / 26, 0.05);
-  // 450 bytes an agent and 7 a node of 15 um
-  EXPECT_NEAR(memory(longer) - others, 248e3 * 450e-6 + 149 * 149 * 300 * 7e-6, 5);
+  // 670 bytes an agent and 7 a node of 15 um
+  EXPECT_NEAR(memory(longer) - others, 248e3 * 670e-6 + 149 * 149 * 300 * 7e-6, 5);
 }
 
 }  // namespace
