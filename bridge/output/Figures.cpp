@@ -77,7 +77,8 @@ std::string Figures::draw(const fs::path& results, const std::atomic<bool>* stop
               .incomplete = "not all pictures were drawn",
               .arguments = {fs::absolute(results)},
               .folder = results / ".figures",
-              .log = results / "figures.log"},
+              .log = results / "figures.log",
+              .keepsLog = true},
              stopRequested);
 }
 
@@ -94,10 +95,7 @@ std::string Figures::animate(const fs::path& results, const std::atomic<bool>* s
   } catch (const std::runtime_error& error) {
     return fmt::format("no animation: {}", error.what());
   }
-  const std::string problem = run(task, stopRequested);
-  std::error_code ignored;
-  if (problem.empty()) fs::remove(task.log, ignored);
-  return problem;
+  return run(task, stopRequested);
 }
 
 std::string Figures::writePage(std::span<const fs::path> results, const fs::path& page,
@@ -114,10 +112,7 @@ std::string Figures::writePage(std::span<const fs::path> results, const fs::path
   } catch (const std::runtime_error& error) {
     return fmt::format("no page: {}", error.what());
   }
-  const std::string problem = run(task, stopRequested);
-  std::error_code ignored;
-  if (problem.empty()) fs::remove(task.log, ignored);
-  return problem;
+  return run(task, stopRequested);
 }
 
 std::string Figures::run(const Task& task, const std::atomic<bool>* stopRequested) const {
@@ -139,7 +134,11 @@ std::string Figures::run(const Task& task, const std::atomic<bool>* stopRequeste
     if (end.interrupted()) return fmt::format("{} given up: interrupted", task.what);
     if (end.late)
       return fmt::format("{} given up after {} s; see {}", task.what, limit.count(), task.log.string());
-    if (end.succeeded()) return "";
+    if (end.succeeded()) {
+      std::error_code ignored;
+      if (!task.keepsLog) fs::remove(task.log, ignored);
+      return "";
+    }
     reason = lastLine(task.log);
     if (reason.empty()) reason = fmt::format("{}: {}", interpreter_, end.describe());
   } catch (const ProgramMissing& error) {

@@ -42,7 +42,8 @@ class Figures {
     std::vector<std::string> arguments;
     std::filesystem::path folder;  ///< that the task may use, and removes
     std::filesystem::path log;
-    int longer = 1;  ///< it may take so many times as long as others
+    bool keepsLog = false;  ///< also where all went well
+    int longer = 1;         ///< it may take so many times as long as others
   };
   /// Has it done; returns what went wrong, empty where nothing did.
   std::string run(const Task& task, const std::atomic<bool>* stopRequested) const;
