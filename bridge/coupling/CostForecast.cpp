@@ -96,7 +96,7 @@ struct SolvesADay {
   double fewPower = -1.25, manyPower = -2.5, tolerance = 20e-6;
 };
 constexpr SolvesADay whereTheSurfaceGrows{0.6, 1.2}, whereTheBulkGrows{2, 3.6};
-/// Growth goes on for some days after the endothelium is whole (measured by eye).
+/// Growth goes on for some days after the endothelium is whole (assumed).
 constexpr double lateGrowth = 5 * secondsPerDay;
 
 /// About when the neointima stops growing [s]; the end of the run where nothing stops it.
@@ -158,7 +158,7 @@ std::optional<FlowCost> flowCost(const Scene& scene) {
   if (scene.flow->backend == flowBackendNames::foam) {
     const double cells = expectedCells(lumen, scene.foamSettings());
     return of(cells, "cells", cost.foamBytes + cost.bytesPerCell * cells,
-              cost.secondsPerCell * (usualRanks(scene) == 2 ? cost.shareOfTwoRanks : 1));
+              cost.secondsPerCell * (cells > cellsWorthTwoRanks ? cost.shareOfTwoRanks : 1));
   }
   if (scene.flow->backend == flowBackendNames::lbm) {
     const double nodes = lumen.volume / std::pow(scene.lbmSettings().dx, 3);
