@@ -58,6 +58,7 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
   name("thicknessMap.csv", "final neointima along and around the vessel");
   name("tissue.pvd", "agents in time: open in ParaView (Point Gaussian, scale by radius)");
   name("lumen.pvd", "lumen with wall shear stress in time: open in ParaView");
+  name("struts.vtp", "closed surface of the struts: open in ParaView");
   if (std::filesystem::exists(path / "flow")) {
     for (const auto& entry : std::filesystem::directory_iterator(path / "flow")) {
       if (std::filesystem::exists(entry.path() / "case.foam"))

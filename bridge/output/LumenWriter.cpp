@@ -1,12 +1,10 @@
 #include "bridge/output/LumenWriter.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -15,6 +13,7 @@
 
 #include "bridge/flow/RegionalFaces.h"
 #include "bridge/output/PolyDataFile.h"
+#include "bridge/output/SurfacePolyData.h"
 
 namespace restenosis {
 
@@ -64,33 +63,13 @@ void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, Sur
   data.GetFieldData()->AddArray(array);
 }
 
-/// The triangles listed and the vertices they use, renumbered.
-vtkNew<vtkPolyData> tube(const TriSurface& lumen, const std::vector<std::size_t>& triangles) {
-  constexpr vtkIdType unused = -1;
-  std::vector<vtkIdType> number(lumen.vertices.size(), unused);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  vtkNew<vtkCellArray> polygons;
-  for (const auto t : triangles) {
-    polygons->InsertNextCell(3);
-    for (const auto vertex : lumen.triangles[t]) {
-      if (number[vertex] == unused) number[vertex] = points->InsertNextPoint(lumen.vertices[vertex].data());
-      polygons->InsertCellPoint(number[vertex]);
-    }
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(polygons);
-  return data;
-}
-
 }  // namespace
 
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
                 double time, const RadialMap* postDeployment) {
   const auto triangles = sideTriangles(lumen);
   const auto tractions = nearestTractions(lumen, triangles, flow);
-  const auto data = tube(lumen, triangles);
+  const auto data = polyDataOf(lumen, triangles);
   auto* cells = data->GetCellData();
   addArray<vtkUnsignedCharArray>(cells, "region", triangles.size(), 1,
                                  [&](std::size_t k, int) { return lumen.region[triangles[k]]; });

@@ -12,17 +12,8 @@ struct Occluded : std::runtime_error {
   Occluded() : std::runtime_error("the lumen is occluded: nothing open joins inlet and outlet") {}
 };
 
-/// How an isosurface is made a good mesh.
-struct LumenSurfaceSettings {
-  int relaxations = 5;  ///< passes that even out triangles within the surface (assumed)
-  double nodeClearance =
-      0.02;  ///< least |distance| at a node over the spacing: keeps vertices apart (assumed)
-};
-
-/// The closed surface of a lumen: isosurface 0 of the field (flying edges), planar caps exactly at z = 0 and
-/// z = length, normals out of the lumen. Vertices are then moved towards the centre of their neighbours
-/// and back onto the isosurface (rims and caps within their plane), so that slivers disappear and the shape
-/// stays. Regions: wall or strut by the nearer of the two, inlet and outlet for the caps. Throws Occluded.
-TriSurface extractSurface(const LumenField& field, const LumenSurfaceSettings& settings = {});
+/// The closed surface of a lumen: the isosurface 0 of the field (Isosurface.h). Regions: wall or strut by the
+/// nearer of the two, inlet and outlet for the caps. Throws Occluded.
+TriSurface extractSurface(const LumenField& field);
 
 }  // namespace restenosis

@@ -64,6 +64,8 @@ def check_text(folder):
     files = sorted(values(reader, "FileName")[0] for reader in kinds["PVDReader"])
     there = sorted(name for name in ("lumen.pvd", "tissue.pvd") if (folder / name).exists())
     check(files == there, f"{files} are named, {there} are there")
+    solid = [values(reader, "FileName")[0] for reader in kinds.get("XMLPolyDataReader", [])]
+    check(solid == ["struts.vtp"] * (folder / "struts.vtp").exists(), f"struts from {solid}")
     days = {day for name in there for day, _ in results.frames(folder, Path(name).stem)}
     for proxy, name, day in (("AnimationScene", "AnimationTime", max(days)), ("AnimationScene", "StartTime", min(days))):
         check(abs(float(values(kinds[proxy][0], name)[0]) - day) < 1e-6, f"{name} is not {day}")

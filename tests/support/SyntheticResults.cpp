@@ -6,9 +6,11 @@
 #include "bridge/output/LumenWriter.h"
 #include "bridge/output/ProfileCsv.h"
 #include "bridge/output/PvdSeries.h"
+#include "bridge/output/StrutWriter.h"
 #include "bridge/output/SummaryJson.h"
 #include "bridge/output/TimeSeries.h"
 #include "bridge/output/TissueWriter.h"
+#include "bridge/surface/StrutSurface.h"
 #include "bridge/system/AtomicFile.h"
 #include "tests/support/Constants.h"
 #include "tissue/agents/RandomStream.h"
@@ -120,6 +122,25 @@ TriSurface SyntheticResults::lumen(double progress) const {
   return surface;
 }
 
+std::vector<StrutSegment> SyntheticResults::struts() const {
+  const int around = 48;
+  const double middle = radius + 20e-6;
+  std::vector<StrutSegment> ring;
+  for (int k = 0; k < around; ++k) {
+    const double from = 2 * pi * k / around, to = 2 * pi * (k + 1) / around;
+    ring.push_back({.a = cylindrical(middle, from, 0.5 * length),
+                    .b = cylindrical(middle, to, 0.5 * length),
+                    .radial = cylindrical(1, 0.5 * (from + to), 0),
+                    .width = 88e-6,
+                    .thickness = 90e-6,
+                    .round = false,
+                    .overlap = 4e-6,
+                    .openA = false,
+                    .openB = false});
+  }
+  return ring;
+}
+
 FlowSolution SyntheticResults::flow(const TriSurface& lumen) const {
   FlowSolution solution;
   for (std::size_t t = 0; t < lumen.triangles.size(); t += 3) {
@@ -167,6 +188,7 @@ void SyntheticResults::write(const std::filesystem::path& folder) const {
     }
     series.append(row);
   }
+  writeStruts(folder / "struts.vtp", strutSurface(struts(), length, 15e-6));
   std::vector<ProfileRow> profile;
   for (int i = 0; i <= 60; ++i) {
     const double z = length * i / 60, r = lumenRadius(z, pi / 2, 1), before = lumenRadius(z, pi / 2, 0);

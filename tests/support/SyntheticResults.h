@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/surface/TriSurface.h"
 #include "tissue/agents/AgentStore.h"
+#include "tissue/stent/Stent.h"
 
 namespace restenosis {
 
@@ -22,8 +24,9 @@ struct SyntheticResults {
   double lumenRadius(double z, double theta, double progress) const;
   AgentStore agents(double progress) const;
   TriSurface lumen(double progress) const;
+  std::vector<StrutSegment> struts() const;
   FlowSolution flow(const TriSurface& lumen) const;
-  /// Writes timeSeries.csv, profile.csv, summary.json, scene.toml and both series.
+  /// Writes timeSeries.csv, profile.csv, summary.json, scene.toml, struts.vtp and both series.
   void write(const std::filesystem::path& folder) const;
 };
 

@@ -4,9 +4,11 @@
 
 #include "bridge/coupling/StentedSection.h"
 #include "bridge/output/LumenWriter.h"
+#include "bridge/output/StrutWriter.h"
 #include "bridge/output/TissueWriter.h"
 #include "bridge/sampling/WssStatistics.h"
 #include "bridge/surface/Histology.h"
+#include "bridge/surface/StrutSurface.h"
 #include "tissue/biology/StateCounts.h"
 
 namespace restenosis {
@@ -33,7 +35,8 @@ RecordPart::RecordPart(Quantities& quantities, const Scene& scene, const Results
       timer_(timer),
       timeSeries_(folder.timeSeries()),
       tissue_(folder.path(), "tissue"),
-      lumenFiles_(folder.path(), "lumen") {
+      lumenFiles_(folder.path(), "lumen"),
+      strutsFile_(folder.path() / "struts.vtp") {
   // All that lives in the agents is written with them
   read<Quantity::agentPositions>();
   read<Quantity::exposure>();
@@ -55,6 +58,11 @@ void RecordPart::begin() {
   timeSeries_.begin();
   if (scene_.hasTissue()) tissue_.begin();
   lumenFiles_.begin();
+  if (stent_) {
+    auto measurement = timer_.measure("output");
+    writeStruts(strutsFile_,
+                strutSurface(stent_->segments, scene_.vessel.length, scene_.coupling.surfaceResolution));
+  }
 }
 
 void RecordPart::run(const Instant& now) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,7 +16,8 @@
 
 namespace restenosis {
 
-/// Writes a state for the user: a row of the time series, the agents and the lumen for ParaView (model 10).
+/// Writes a state for the user: a row of the time series, the agents and the lumen for ParaView (model 10),
+/// and once the struts.
 class RecordPart : public Part {
  public:
   /// Nothing: every run records.
@@ -62,6 +64,7 @@ class RecordPart : public Part {
   PartTimer& timer_;
   TimeSeries timeSeries_;
   PvdSeries tissue_, lumenFiles_;
+  std::filesystem::path strutsFile_;
   std::uint64_t solvesRecorded_ = 0;       ///< solves of the flow before the last recorded state
   std::uint64_t crossChecksRecorded_ = 0;  ///< likewise
 };

@@ -231,7 +231,8 @@ def steel():
     }
 
 
-def add_tissue(pipeline, struts):
+def add_tissue(pipeline, struts, solid):
+    """`solid`: the struts have a surface of their own."""
     reader = pipeline.source("tissue.pvd", "PVDReader", group="sources", FileName="tissue.pvd")
     pipeline.day(reader)
     named = pipeline.source("Cells by name", "Calculator", Input=reader, ResultArrayName=CLASS, Function=FORMULA)
@@ -239,10 +240,16 @@ def add_tissue(pipeline, struts):
     table = named_colours(pipeline, struts)
     cells = pipeline.threshold("Cells", opened, POINTS, CLASS, 0, STRUT - 1)
     pipeline.show(cells, **spheres(ColorArrayName=["", "", "", str(POINTS), CLASS], LookupTable=table))
-    if struts:
+    if struts and not solid:
         strut = pipeline.threshold("Struts", opened, POINTS, CLASS, STRUT, STRUT)
         pipeline.show(strut, **spheres(**steel()))
     pipeline.legend(table, "Cells", WindowLocation=2, ScalarBarLength=0.42)
+
+
+def add_struts(pipeline):
+    reader = pipeline.source("Strut surface", "XMLPolyDataReader", group="sources", FileName="struts.vtp")
+    shaded = pipeline.source("Edges of struts", "PolyDataNormals", Input=reader, FeatureAngle=40, Splitting=1)
+    pipeline.show(pipeline.clip("Struts", shaded), Representation="Surface", **steel())
 
 
 def add_lumen(pipeline, top, struts, labelled):
@@ -330,14 +337,17 @@ def write(folder, path):
     lumens = [results.lumen(file) for _, file in results.spread(lumen, FRAMES)]
     agents = results.agents(tissue[-1][1]) if tissue else None
     points = agents["position"] if tissue else lumens[-1]["vertices"]
-    struts = any((surface["region"] == 1).any() for surface in lumens)
+    solid = (folder / "struts.vtp").exists()
+    struts = solid or any((surface["region"] == 1).any() for surface in lumens)
     struts = struts or bool(tissue and (agents["kind"] == results.KINDS["strut"]).any())
     state = State()
     pipeline = Pipeline(state, Cut(points, results.only_flow_from_file(folder)))
     if tissue:
-        add_tissue(pipeline, struts)
+        add_tissue(pipeline, struts, solid)
+    if solid:
+        add_struts(pipeline)
     if lumen:
-        add_lumen(pipeline, largest_stress(lumens), struts, labelled=bool(tissue))
+        add_lumen(pipeline, largest_stress(lumens), struts and not solid, labelled=bool(tissue))
     add_view(state, pipeline, sorted({day for day, _ in tissue + lumen}))
     partial = path.with_name(path.name + ".partial")
     partial.write_text(state.xml(), encoding="utf-8")
