@@ -77,7 +77,8 @@ void printPoiseuille(const Run& run) {
   const auto error = run.poiseuille();
   if (!error) return;
   std::cout << fmt::format(
-      "\nWSS against 4 mu U / R = {:.5g} Pa, without {:g} mm at either end: mean {:+.2f} %, L2 {:.2f} %, "
+      "\nWSS against that of developed flow, {:.5g} Pa, without {:g} mm at either end: mean {:+.2f} %, L2 "
+      "{:.2f} %, "
       "largest {:.2f} %\n",
       error->exact, 1e3 * error->endMargin, 100 * error->mean, 100 * error->l2, 100 * error->largest);
 }

@@ -32,7 +32,8 @@ std::string noFlowBecause(const Scene& scene, const ArrestRules& rules) {
 
 bool obeysPoiseuille(const Scene& scene) {
   return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
-         scene.flow->keeps() == FlowConditions::Drive::flowRate;
+         scene.flow->keeps() == FlowConditions::Drive::flowRate &&
+         !scene.flow->distal(scene.vessel.lumenDiameter);
 }
 
 std::string turbulenceForecast(const Scene& scene) {

@@ -1,22 +1,34 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bridge/flow/ViscosityLaw.h"
 #include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
+
+/// What blood goes on to behind the vessel: the small vessels of the heart, with one resistance.
+struct DistalBed {
+  double resistance = 0.0;  ///< pressure lost over the flow rate [Pa s/m^3]
+  double pressure = 0.0;    ///< lost along the vessel and the bed together [Pa]
+};
 
 /// What drives the flow and what flows; the same for every backend. SI units.
 struct FlowConditions {
   enum class Drive { flowRate, pressureGradient };
   Drive drive = Drive::flowRate;
-  double flowRate = 0.0;            ///< volume per time through the inlet [m^3/s]
-  double pressureGradient = 0.0;    ///< -dp/dz [Pa/m], for Drive::pressureGradient
-  double density = 1000.0;          ///< [kg/m^3]
-  double kinematicViscosity = 0.0;  ///< [m^2/s]
+  double flowRate = 0.0;          ///< volume per time through the inlet [m^3/s]
+  double pressureGradient = 0.0;  ///< -dp/dz [Pa/m], for Drive::pressureGradient
+  double density = 1000.0;        ///< [kg/m^3]
+  double kinematicViscosity =
+      0.0;  ///< [m^2/s]; of blood that thins, that at the wall of the undeformed lumen
+  std::optional<ViscosityLaw> thinning = std::nullopt;  ///< how it thins; none of a Newtonian fluid
+  std::optional<DistalBed> distal =
+      std::nullopt;  ///< what the flow rate follows from (DistalResistance); `flowRate` is a guess then
   double dynamicViscosity() const { return density * kinematicViscosity; }
 };
 
@@ -36,6 +48,7 @@ struct WallFace {
 /// A steady solution, as far as anything outside the backend needs it, and how it was obtained.
 struct FlowSolution {
   std::vector<WallFace> wall;
+  double flowRate = 0.0;       ///< volume per time through the inlet [m^3/s]
   double pressureDrop = 0.0;   ///< inlet minus outlet, area-weighted [Pa]
   double massImbalance = 0.0;  ///< |out - in| / in
   std::size_t cells = 0;
@@ -47,8 +60,8 @@ struct FlowSolution {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(wall, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks, meshMoved,
-      remeshedBecause);
+    a(wall, flowRate, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks,
+      meshMoved, remeshedBecause);
   }
 };
 

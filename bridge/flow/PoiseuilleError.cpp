@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bridge/flow/TubeFlow.h"
+
 namespace restenosis {
 namespace {
 
@@ -17,8 +19,7 @@ std::optional<PoiseuilleError> poiseuilleError(std::span<const WallFace> faces, 
   PoiseuilleError error;
   const double radius = 0.5 * diameter;
   error.endMargin = leastMargin * std::max(1.0, diameter / usualDiameter);
-  error.exact = 4.0 * conditions.dynamicViscosity() * conditions.flowRate /
-                (std::numbers::pi * radius * radius * radius);
+  error.exact = developedWallStress(conditions, conditions.flowRate, radius);
   double area = 0.0, sum = 0.0, squares = 0.0;
   for (const WallFace& face : faces) {
     const double z = face.centre.z();

@@ -43,6 +43,7 @@ struct TimeSeriesRow {
   std::optional<double> crossCheckNearStrutsMean, crossCheckNearStrutsL2;
   std::optional<double> crossCheckStrutsMean, crossCheckStrutsL2;
   std::optional<double> crossCheckDecidedOtherwise;
+  std::optional<double> flowRate, pressureDrop;  ///< of the last flow [m^3/s, Pa]
 
   /// Calls f(column, value, scale) for every column in the order of the file; value times scale is written.
   template <class F>
@@ -74,6 +75,7 @@ struct TimeSeriesRow {
     f("crossCheckNearStrutsL2", crossCheckNearStrutsL2, 1.0);
     f("crossCheckStrutsMean", crossCheckStrutsMean, 1.0), f("crossCheckStrutsL2", crossCheckStrutsL2, 1.0);
     f("crossCheckDecidedOtherwise", crossCheckDecidedOtherwise, 1.0);
+    f("flowRate_mlPerMin", flowRate, 60e6), f("pressureDrop_Pa", pressureDrop, 1.0);
   }
   template <class F>
   void forEachColumn(F&& f) const {

@@ -181,6 +181,21 @@ Finding driveWithoutGradient(const Scene& s, const Units&) {
          "instead";
 }
 
+Finding distalFlow(const Scene& s, const Units&) {
+  if (!s.flow) return {};
+  const auto distal = s.flow->distal(s.vessel.lumenDiameter);
+  if (!distal) return {};
+  const double radius = s.vessel.lumenDiameter / 2;
+  const double velocity =
+      s.flow->givenFlowRate(s.vessel.lumenDiameter) / (std::numbers::pi * radius * radius);
+  if (velocity >= FlowParameters::slowest && velocity <= FlowParameters::fastest) return {};
+  return fmt::format(
+      "'distalResistance' in [flow] lets {:.3g} m/s through the lumen at 'perfusionPressure'; allowed are "
+      "{:g} to "
+      "{:g} m/s",
+      velocity, FlowParameters::slowest, FlowParameters::fastest);
+}
+
 Finding crossCheckByItself(const Scene& s, const Units&) {
   if (!s.flow || !s.flow->isCrossChecked()) return {};
   const FlowParameters& flow = *s.flow;
@@ -195,6 +210,20 @@ Finding crossCheckByItself(const Scene& s, const Units&) {
   const bool ownCells = flow.backend == flowBackendNames::foam ? s.foam.has_value() : s.lbm.has_value();
   if (s.scene.fidelity != flowBackendNames::reference || ownCells) return {};
   return "'crossCheck' in [flow] is \"reference\", the scene's own fidelity; allowed is the other backend";
+}
+
+Finding thinningBlood(const Scene& s, const Units&) {
+  if (!s.flow || !s.flow->thinning()) return {};
+  const FlowParameters& flow = *s.flow;
+  if (flow.backend == flowBackendNames::analytic)
+    return fmt::format(
+        "'viscosity' in [flow] is \"{}\", which backend = \"analytic\" cannot solve; allowed are "
+        "\"foam\" and \"lbm\"",
+        flow.viscosity);
+  if (flow.thinning()->infiniteShear > flow.thinning()->zeroShear)
+    return "'zeroShearViscosity' in [flow] is below the viscosity at infinite shear: blood thins, it does "
+           "not thicken";
+  return {};
 }
 
 /// Of lumens that are taken from tissue; any other has its own triangles.
@@ -251,10 +280,15 @@ const std::vector<Check>& checks() {
       {{"endothelium.nitricOxideTransition", "endothelium.nitricOxideSlope",
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
-      {{"flow.pressureGradient", "flow.drive", "flow.density", "flow.kinematicViscosity",
-        "vessel.lumenDiameter"},
+      {{"flow.pressureGradient", "flow.drive", "flow.density", "flow.kinematicViscosity", "flow.viscosity",
+        "flow.zeroShearViscosity", "flow.infiniteShearViscosity", "flow.carreauTime", "flow.carreauIndex",
+        "flow.cassonViscosity", "flow.yieldStress", "vessel.lumenDiameter"},
        driveWithoutGradient},
+      {{"flow.distalResistance", "flow.perfusionPressure", "flow.drive", "vessel.lumenDiameter"}, distalFlow},
       {{"flow.crossCheck", "flow.backend", "scene.fidelity"}, crossCheckByItself},
+      {{"flow.viscosity", "flow.backend", "flow.crossCheck", "flow.density", "flow.zeroShearViscosity",
+        "flow.infiniteShearViscosity", "flow.cassonViscosity"},
+       thinningBlood},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };

@@ -33,6 +33,8 @@ constexpr std::pair<std::string_view, std::string_view> dimensionNames[] = {
     {"s^-1", "a rate"},
     {"m s^-1", "a velocity"},
     {"m^2 s^-1", "a kinematic viscosity"},
+    {"kg m^-1 s^-1", "a viscosity"},
+    {"kg m^-4 s^-1", "a resistance to flow"},
     {"kg m^-3", "a density"},
     {"m^-3 mol", "a concentration"},
     {"m^2", "an area"},

@@ -19,8 +19,9 @@ class GrowthExtremes : public WholeProgram {
     const bool flowKnown = json["flow"]["solvesDone"] > 0;
     for (const auto& [key, value] : json["final"].items()) {
       if (key.starts_with("crossCheck")) continue;  // the flow is not cross-checked
-      const bool ofFlow =
-          key.starts_with("wss") || key.starts_with("nitric") || key.starts_with("lumenMovement");
+      const bool ofFlow = key.starts_with("wss") || key.starts_with("nitric") ||
+                          key.starts_with("lumenMovement") || key.starts_with("flowRate") ||
+                          key.starts_with("pressureDrop");
       const bool ofLamina =
           key.starts_with("intima") || key.starts_with("media") || key.starts_with("relative");
       EXPECT_EQ(value.is_null(), (ofFlow && !flowKnown) || ofLamina) << key;  // the IEL is removed

@@ -32,7 +32,7 @@ TEST_F(JsonSchemaTest, SaysWhatIsAllowedAndWhatHoldsWithoutAKey) {
   EXPECT_EQ(key("stent", "deploymentDepth")["default"], "110 um");
   EXPECT_EQ(key("stent", "deploymentSteps")["type"], "integer");
   EXPECT_EQ(key("stent", "deploymentSteps")["minimum"], 1);
-  EXPECT_EQ(key("flow", "drive")["enum"], nlohmann::json({"flowRate", "pressureGradient"}));
+  EXPECT_EQ(key("flow", "drive")["enum"], nlohmann::json({"flowRate", "pressureGradient", "resistance"}));
   EXPECT_EQ(key("injury", "removeIel")["type"], "boolean");
   EXPECT_EQ(key("injury", "fenestrationProbability")["maximum"], 1);
   EXPECT_FALSE(key("vessel", "length").contains("default"));

@@ -141,6 +141,7 @@ void RecordPart::measureFlow(TimeSeriesRow& row) const {
   const WssStatistics wall = wssStatistics(flow_->last->wall, SurfaceRegion::wall, threshold);
   row.wssMean = wall.mean;
   row.wssLowAreaFraction = wall.lowAreaFraction;
+  row.flowRate = flow_->last->flowRate, row.pressureDrop = flow_->last->pressureDrop;
   row.wssP5 = wall.p5, row.wssP50 = wall.median, row.wssP95 = wall.p95;
 }
 

@@ -59,6 +59,7 @@ FlowSolution AnalyticBackend::solve(const TriSurface& lumen, const FlowCondition
           solution.wall.push_back({centre, pieceArea, stress * alongAxis(axis, normal), lumen.region[i]});
         });
   }
+  solution.flowRate = flowRate;
   solution.pressureDrop = flowRate * resistance;
   return solution;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/flow/DistalResistance.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/StraightEnds.h"
 #include "bridge/flow/analytic/AnalyticBackend.h"
@@ -43,7 +44,7 @@ std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBa
       auto backend = entry.make(options);
       if (options.straightEnds > 0.0)
         backend = std::make_unique<StraightEnds>(std::move(backend), options.straightEnds);
-      return backend;
+      return std::make_unique<DistalResistance>(std::move(backend));
     }
   throw std::invalid_argument(fmt::format("there is no flow backend '{}'; valid names: {}", name,
                                           commaSeparated(flowBackendNames::all())));

@@ -275,6 +275,7 @@ double FoamRun::reported(const std::string& function) const {
 void FoamRun::checkFlow() {
   const double in = -reported("inletFlow"), out = reported("outletFlow");
   if (!(in > 0.0)) fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
+  solution_.flowRate = in;
   solution_.massImbalance = std::abs(out - in) / in;
   if (!(solution_.massImbalance <= settings_.massTolerance))
     fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in but {:.4g} out", in, out));

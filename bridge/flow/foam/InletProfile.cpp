@@ -96,6 +96,11 @@ double InletProfile::operator()(double x, double y) const {
   return value;
 }
 
+double InletProfile::peak() const {
+  const auto place = inPlane(*this, inside);
+  return (*this)(place.real(), place.imag());
+}
+
 std::string InletProfile::expression() const {
   std::string text = fmt::format("{:.9g}-r2", constant);
   for (std::size_t k = 0; k < order; ++k)
@@ -154,8 +159,7 @@ InletProfile developedProfile(const TriSurface& lumen) {
     for (double& coefficient : hole.coefficients) coefficient = found[ofShape + h++];
   for (const RimPlace& p : rim)
     profile.rimError = std::max(profile.rimError, std::abs(profile(p.place.real(), p.place.imag())));
-  const auto inside = inPlane(profile, profile.inside);
-  profile.rimError /= std::abs(profile(inside.real(), inside.imag()));
+  profile.rimError /= std::abs(profile.peak());
   return profile;
 }
 

@@ -39,6 +39,8 @@ struct InletProfile {
 
   /// w at a place in the inlet's plane, in radii from the centre.
   double operator()(double x, double y) const;
+  /// w well inside the inlet, about its largest.
+  double peak() const;
   /// w in OpenFOAM's expressions, of the variables r2 = r^2, c<k> = r^k cos kt and s<k> = r^k sin kt.
   std::string expression() const;
 };

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "bridge/flow/EndClearance.h"
 #include "bridge/flow/foam/CellEstimate.h"
 #include "bridge/flow/foam/InsidePoint.h"
+#include "bridge/flow/foam/ThinningProfile.h"
 #include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
@@ -100,17 +102,30 @@ void setInExpression(DictionaryText& parameters, std::string_view key, double va
   parameters.set(key, fmt::format("\"{}\"", value));
 }
 
+void writeViscosity(DictionaryText& parameters, const std::optional<ViscosityLaw>& law) {
+  const bool casson = law && law->kind == ViscosityLaw::Kind::casson;
+  parameters.set("viscosityModel", !law ? "Newtonian" : casson ? "Casson" : "BirdCarreau");
+  if (!law) return;
+  parameters.set("zeroShearViscosity", law->zeroShear);
+  parameters.set("infiniteShearViscosity", law->infiniteShear);
+  parameters.set("carreauTime", law->time);
+  parameters.set("carreauIndex", law->index);
+  parameters.set("yieldStress", law->yieldStress);
+}
+
 /// What flows, and what drives it.
 void writeFlow(DictionaryText& parameters, const LumenCase& lumen, const FlowConditions& conditions) {
   const bool fixedFlow = conditions.drive == FlowConditions::Drive::flowRate;
   parameters.set("kinematicViscosity", conditions.kinematicViscosity);
+  writeViscosity(parameters, conditions.thinning);
   parameters.set("density", conditions.density);
   parameters.set("drive", fixedFlow ? "flowRate" : "pressureGradient");
   setInExpression(parameters, "flowRate", conditions.flowRate);
   parameters.set("pressureDrop", conditions.pressureGradient * lumen.length() / conditions.density);
 }
 
-void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
+/// Where blood thins, the inlet's profile is flatter by as much as in a circle of its area.
+void writeInlet(DictionaryText& parameters, const InletProfile& profile, const FlowConditions& conditions) {
   const auto direction = [&](std::string_view key, const Vec3& v) {
     parameters.set(key, fmt::format("\"{}, {}, {}\"", v.x(), v.y(), v.z()));
   };
@@ -120,6 +135,15 @@ void writeInlet(DictionaryText& parameters, const InletProfile& profile) {
   direction("inletYAxis", profile.yAxis);
   setInExpression(parameters, "inletRadius", profile.radius);
   parameters.set("inletShape", fmt::format("\"{}\"", profile.expression()));
+  double peak = 1;
+  std::string thinned = "w";
+  if (conditions.thinning && conditions.drive == FlowConditions::Drive::flowRate) {
+    peak = profile.peak();
+    thinned = thinningProfile(TubeFlow::ofFlowRate(*conditions.thinning, conditions.flowRate, profile.radius),
+                              profile.radius);
+  }
+  setInExpression(parameters, "inletPeak", peak);
+  parameters.set("inletProfile", fmt::format("\"{}\"", thinned));
 }
 
 void writeBlock(DictionaryText& parameters, const LumenCase& lumen) {
@@ -210,7 +234,7 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
                           int ranks) {
   const bool robust = effort == Effort::robust;
   writeFlow(parameters, lumen, conditions);
-  writeInlet(parameters, lumen.profile);
+  writeInlet(parameters, lumen.profile, conditions);
   writeBlock(parameters, lumen);
   writeMesh(parameters, lumen, settings, robust);
   writeSolver(parameters, conditions.drive == FlowConditions::Drive::flowRate, settings, robust);

@@ -23,6 +23,12 @@ struct Collision {
   std::array<Real, 3> force;  ///< per volume over the density
 };
 
+/// Rates of each node of a run, in the order of its nodes, where they differ from node to node.
+template <class Real>
+struct NodeRates {
+  const Real *even = nullptr, *odd = nullptr;
+};
+
 namespace lanes {
 /// Numbers of a node each on which arithmetic works element by element.
 #if defined(__AVX512F__)
@@ -124,10 +130,11 @@ inline constexpr std::size_t prefetched = 512;
 /// in which density departs from 1 only by the pressure; with equal rates, BGK. The force is that of Guo et
 /// al. (2002), its even and odd parts weighted by the even and odd rates.
 ///
-/// `memory` is how vectors are loaded and stored: all of them, or as many nodes as are left.
-template <class Real, bool forced, class Memory>
+/// `memory` is how vectors are loaded and stored: all of them, or as many nodes as are left. `varying`: the
+/// rates are those of each node, and not those of the collision.
+template <class Real, bool forced, bool varying, class Memory>
 inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<Real>& k,
-                         const Memory& memory) {
+                         const NodeRates<Real>& rates, const Memory& memory) {
   using V = typename lanes::Of<Real>::type;
   using namespace d3q19;
   const auto load = [&](const Real* slot) -> V {
@@ -160,12 +167,19 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
     }
   }
   const V base = rho - Real(1.5) * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  const Real evenKeep = Real(0.5) * (1 - k.evenRate), oddKeep = Real(0.5) * (1 - k.oddRate);
-  const Real evenForce = 1 - Real(0.5) * k.evenRate, oddForce = 1 - Real(0.5) * k.oddRate;
+  const auto rateOf = [&](Real ofAll, [[maybe_unused]] const Real* ofNodes) {
+    if constexpr (varying)
+      return memory.load(ofNodes + at);
+    else
+      return ofAll;
+  };
+  const auto evenRate = rateOf(k.evenRate, rates.even), oddRate = rateOf(k.oddRate, rates.odd);
+  const auto evenKeep = Real(0.5) * (1 - evenRate), oddKeep = Real(0.5) * (1 - oddRate);
+  const auto evenForce = 1 - Real(0.5) * evenRate, oddForce = 1 - Real(0.5) * oddRate;
   const auto store = [&](Real* slot, const V& v) { memory.store(slot + at, v); };
 
   constexpr Real restWeight = Real(weight(0));
-  V stay = (1 - k.evenRate) * rest + (restWeight * k.evenRate) * base;
+  V stay = (1 - evenRate) * rest + (restWeight * evenRate) * base;
   if constexpr (forced) stay -= (3 * restWeight * evenForce) * uForce;
   store(slots[0], stay);
 #pragma GCC unroll 9
@@ -179,8 +193,8 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
       if (s[static_cast<std::size_t>(d)] == 1) cu += u[d], cForce += k.force[static_cast<std::size_t>(d)];
       if (s[static_cast<std::size_t>(d)] == -1) cu -= u[d], cForce -= k.force[static_cast<std::size_t>(d)];
     }
-    V even = evenKeep * sum[p] + (w * k.evenRate) * (base + (Real(4.5) * cu) * cu);
-    V odd = oddKeep * difference[p] + (3 * w * k.oddRate) * cu;
+    V even = evenKeep * sum[p] + (w * evenRate) * (base + (Real(4.5) * cu) * cu);
+    V odd = oddKeep * difference[p] + (3 * w * oddRate) * cu;
     if constexpr (forced) {
       even += (w * evenForce) * (9 * cForce * cu - 3 * uForce);
       odd += 3 * w * oddForce * cForce;
@@ -190,16 +204,19 @@ inline void collideLanes(Real* const* slots, std::ptrdiff_t at, const Collision<
   }
 }
 
-/// Collides `count` nodes that follow each other.
-template <class Real, bool forced>
-inline void collideRun(Real* const* slots, std::size_t count, const Collision<Real>& collision) {
+/// Collides `count` nodes that follow each other; `rates` are theirs where they vary.
+template <class Real, bool forced, bool varying>
+inline void collideRun(Real* const* slots, std::size_t count, const Collision<Real>& collision,
+                       const NodeRates<Real>& rates = {}) {
   const Collision<Real> k = collision;  // a copy that no population can be part of stays in registers
   constexpr std::size_t lane = lanes::Of<Real>::count;
   std::size_t at = 0;
   for (; at + lane <= count; at += lane)
-    collideLanes<Real, forced>(slots, static_cast<std::ptrdiff_t>(at), k, lanes::Whole<Real>());
+    collideLanes<Real, forced, varying>(slots, static_cast<std::ptrdiff_t>(at), k, rates,
+                                        lanes::Whole<Real>());
   if (at < count)
-    collideLanes<Real, forced>(slots, static_cast<std::ptrdiff_t>(at), k, lanes::Part<Real>(count - at));
+    collideLanes<Real, forced, varying>(slots, static_cast<std::ptrdiff_t>(at), k, rates,
+                                        lanes::Part<Real>(count - at));
 }
 
 }  // namespace restenosis

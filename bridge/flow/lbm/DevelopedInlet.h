@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "bridge/flow/ViscosityLaw.h"
 #include "bridge/flow/lbm/LatticeBoundary.h"
 #include "bridge/flow/lbm/LatticeFlow.h"
 #include "bridge/flow/lbm/LumenLattice.h"
@@ -19,9 +21,10 @@ namespace restenosis {
 /// flattens the profile by some per cent.
 class DevelopedInlet {
  public:
-  /// @param flowRate through the inlet in lattice units
+  /// @param flowRate through the inlet  @param thinning how blood thins; both in lattice units
   DevelopedInlet(const LumenLattice& lattice, const std::vector<SurfaceRegion>& region, WallRule rule,
-                 const LatticeRelaxation& relaxation, double flowRate);
+                 const LatticeRelaxation& relaxation, double flowRate,
+                 const std::optional<ViscosityLaw>& thinning = {});
 
   /// Source of the link of a node of the first layer in a direction with c_z = -1; sums to the flow rate over
   /// all links.
@@ -29,8 +32,6 @@ class DevelopedInlet {
 
  private:
   LumenLattice layer(const LumenLattice& lattice, const std::vector<SurfaceRegion>& region) const;
-  /// Poiseuille flow for the cross-section's shape, per unit of force over viscosity, by place of the layer.
-  static std::vector<double> profile(const LumenLattice& layer);
 
   LumenLattice layer_;
   std::vector<double> sources_;  ///< by direction and place

@@ -87,13 +87,14 @@ void LatticeFlow<Real>::allocate() {
 
 template <class Real>
 void LatticeFlow<Real>::initialise(const std::function<NodeState(std::uint32_t)>& state) {
-  const double factor = -1.0 / (1.0 - 0.5 / relaxation_.tau);  // from stress to departure from equilibrium
   const auto& runs = layout_.runs();
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (std::uint32_t n = 0; n < runs[r].count; ++n) {
       const std::uint32_t place = runs[r].first + n;
       const NodeState s = state(place);
+      const double factor =
+          -1.0 / (1.0 - 0.5 * evenRate(place));  // from stress to departure from equilibrium
       const Vec3 u = s.velocity - 0.5 * relaxation_.force;
       const double trace = (s.stress[0] + s.stress[1] + s.stress[2]) / 3.0;
       for (int i = 0; i < d3q19::directions; ++i) {
@@ -127,12 +128,40 @@ template <class Real>
 void LatticeFlow<Real>::step(std::size_t run, Parity parity, bool first) {
   const Slots<Real> at = slots(run, parity);
   if (!first) links_.arrive(run, at);
-  const std::uint32_t count = layout_.runs()[run].count;
-  if (forced_)
-    collideRun<Real, true>(at.data(), count, collision_);
+  if (evenRates_.empty())
+    collide<false>(run, at);
   else
-    collideRun<Real, false>(at.data(), count, collision_);
+    collide<true>(run, at);
   links_.keep(run, at);
+}
+
+template <class Real>
+template <bool varying>
+void LatticeFlow<Real>::collide(std::size_t index, const Slots<Real>& at) {
+  const NodeRun& run = layout_.runs()[index];
+  NodeRates<Real> rates;
+  if constexpr (varying) rates = {evenRates_.data() + run.first, oddRates_.data() + run.first};
+  if (forced_)
+    collideRun<Real, true, varying>(at.data(), run.count, collision_, rates);
+  else
+    collideRun<Real, false, varying>(at.data(), run.count, collision_, rates);
+}
+
+template <class Real>
+void LatticeFlow<Real>::setViscosity(const std::function<double(std::uint32_t)>& viscosity) {
+  if (evenRates_.empty()) {
+    evenRates_.assign(layout_.places(), collision_.evenRate);
+    oddRates_.assign(layout_.places(), collision_.oddRate);
+  }
+  const auto& runs = layout_.runs();
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (std::uint32_t place = runs[r].first; place < runs[r].first + runs[r].count; ++place) {
+      const double tau = 0.5 + 3.0 * viscosity(place);
+      evenRates_[place] = static_cast<Real>(1.0 / tau);
+      oddRates_[place] = static_cast<Real>(1.0 / relaxation_.oddTauOf(tau));
+    }
+  open_.setViscosity([this](std::uint32_t place) { return this->viscosity(place); });
 }
 
 template <class Real>
@@ -207,7 +236,7 @@ NodeState LatticeFlow<Real>::state(std::uint32_t place) const {
   for (std::size_t k = 0; k < 6; ++k) {
     const auto a = static_cast<int>(components[k][0]), b = static_cast<int>(components[k][1]);
     const double uForce = s.velocity[a] * relaxation_.force[b] + s.velocity[b] * relaxation_.force[a];
-    s.stress[k] = -(1.0 - 0.5 / relaxation_.tau) * (departure[k] + 0.5 * uForce);
+    s.stress[k] = -(1.0 - 0.5 * evenRate(place)) * (departure[k] + 0.5 * uForce);
   }
   return s;
 }

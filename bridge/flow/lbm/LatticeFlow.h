@@ -21,7 +21,9 @@ struct LatticeRelaxation {
   bool single = false;        ///< one relaxation time (BGK); `magic` has no meaning then
   Vec3 force = Vec3::Zero();  ///< per volume over the density
 
-  double oddTau() const { return single ? tau : 0.5 + magic / (tau - 0.5); }
+  double oddTau() const { return oddTauOf(tau); }
+  /// Of a node with its own relaxation time.
+  double oddTauOf(double even) const { return single ? even : 0.5 + magic / (even - 0.5); }
 };
 
 /// The flow at a node, in lattice units.
@@ -51,6 +53,10 @@ class LatticeFlowBase {
   virtual void advance(int pairs) = 0;
   /// The flow at a place that holds fluid.
   virtual NodeState state(std::uint32_t place) const = 0;
+  /// Gives each place that holds fluid a kinematic viscosity of its own, from the next step on; that of the
+  /// relaxation time until then. Asked from several threads, of each place once.
+  virtual void setViscosity(const std::function<double(std::uint32_t place)>& viscosity) = 0;
+  virtual double viscosity(std::uint32_t place) const = 0;
   /// Volume that has left through open links in the last step.
   virtual double openOutflow() const = 0;
 };
@@ -64,6 +70,8 @@ class LatticeFlow : public LatticeFlowBase {
   void initialise(const std::function<NodeState(std::uint32_t place)>& state) override;
   void advance(int pairs) override;
   NodeState state(std::uint32_t place) const override;
+  void setViscosity(const std::function<double(std::uint32_t place)>& viscosity) override;
+  double viscosity(std::uint32_t place) const override { return (1.0 / evenRate(place) - 0.5) / 3.0; }
   double openOutflow() const override { return open_.outflow(); }
   /// Population that arrives at a place in a direction; its departure from the weight.
   double population(std::uint32_t place, int direction) const {
@@ -83,6 +91,11 @@ class LatticeFlow : public LatticeFlowBase {
   /// Where the populations of a run arrive for a step of that parity.
   Slots<Real> slots(std::size_t run, Parity parity) const;
   void step(std::size_t run, Parity parity, bool first);
+  template <bool varying>
+  void collide(std::size_t run, const Slots<Real>& at);
+  double evenRate(std::uint32_t place) const {
+    return evenRates_.empty() ? 1.0 / relaxation_.tau : static_cast<double>(evenRates_[place]);
+  }
   /// What the surface does after a step has been done by all runs.
   template <Parity parity>
   void joinEnds();
@@ -94,6 +107,7 @@ class LatticeFlow : public LatticeFlowBase {
   LatticeRelaxation relaxation_;
   Collision<Real> collision_;
   bool forced_;
+  std::vector<Real> evenRates_, oddRates_;  ///< by place, once they differ
   RunLinks<Real> links_;
   OpenLinks<Real> open_;
   std::vector<LatticeBoundary::ThinLink> thin_;

@@ -227,6 +227,7 @@ class LevelSolver {
 /// Takes wall, flow and pressure drop from a solved lattice.
 void take(FlowSolution& solution, const SteadyLattice& solved) {
   solution.cells = solved.nodes();
+  solution.flowRate = solved.inflow();
   solution.wall = solved.wall();
   solution.massImbalance = std::abs(solved.outflow() / solved.inflow() - 1.0);
   solution.pressureDrop = solved.pressureDrop();

@@ -19,9 +19,7 @@ Vec3 vectorOf(int direction) {
 
 template <class Real>
 OpenLinks<Real>::OpenLinks(const ColumnLayout& layout, const LatticeBoundary& boundary, double tau)
-    : shear_(3.0 * (2.0 * tau - 1.0)),
-      expectedOutflow_(boundary.expectedOutflow),
-      area_(boundary.outletArea) {
+    : expectedOutflow_(boundary.expectedOutflow), area_(boundary.outletArea) {
   const auto slot = [&](const d3q19::Step& node, int direction) {
     return static_cast<Slot>(direction) * layout.places() + layout.place(node);
   };
@@ -34,7 +32,6 @@ OpenLinks<Real>::OpenLinks(const ColumnLayout& layout, const LatticeBoundary& bo
     return node;
   };
   for (const LatticeBoundary::OpenLink& open : boundary.open) {
-    // Nearer walls would make the term of the shear so large that it swings
     const int back = d3q19::opposite(open.direction);
     links_.push_back({.node = nodeAt(open.node),
                       .behind = open.wallBehind > 0.0 ? Node{} : nodeAt(d3q19::moved(open.node, back)),
@@ -42,10 +39,17 @@ OpenLinks<Real>::OpenLinks(const ColumnLayout& layout, const LatticeBoundary& bo
                       .arrivesEven = slot(open.node, back),
                       .direction = open.direction,
                       .alone = open.alone,
-                      .wallBehind = open.wallBehind > 0.0 ? std::max(open.wallBehind, shear_ / 3.0) : 0.0,
+                      .wallBehind = open.wallBehind > 0.0 ? open.wallBehind : 0.0,
                       .density = open.density,
-                      .outflow = 0.0});
+                      .outflow = 0.0,
+                      .place = layout.place(open.node),
+                      .shear = 3.0 * (2.0 * tau - 1.0)});
   }
+}
+
+template <class Real>
+void OpenLinks<Real>::setViscosity(const std::function<double(std::uint32_t)>& viscosity) {
+  for (Link& link : links_) link.shear = 18.0 * viscosity(link.place);
 }
 
 template <class Real>
@@ -63,11 +67,12 @@ void OpenLinks<Real>::serve(std::size_t n, bool afterEven, Real* populations) {
   const Vec3 c = vectorOf(link.direction), u = link.node.velocity(populations, afterEven);
   const double cu = c.dot(u), w = d3q19::weight(link.direction);
   const double even = link.density + density_ + 4.5 * cu * cu - 1.5 * u.squaredNorm();
-  const double gradient =
-      link.wallBehind > 0.0 ? cu / link.wallBehind : cu - c.dot(link.behind.velocity(populations, afterEven));
+  // Nearer walls would make the term of the shear so large that it swings
+  const double gradient = link.wallBehind > 0.0 ? cu / std::max(link.wallBehind, link.shear / 3.0)
+                                                : cu - c.dot(link.behind.velocity(populations, afterEven));
   const Node& node = link.node;
   const double left = populations[(afterEven ? node.afterEven : node.afterOdd)[link.direction]];
-  const double back = link.alone ? w * (even - 3.0 * cu) : -left + w * (2.0 * even - shear_ * gradient);
+  const double back = link.alone ? w * (even - 3.0 * cu) : -left + w * (2.0 * even - link.shear * gradient);
   populations[afterEven ? link.arrivesOdd : link.arrivesEven] = static_cast<Real>(back);
   link.outflow = left - back;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "bridge/flow/lbm/LatticeBoundary.h"
@@ -21,6 +22,8 @@ class OpenLinks {
   OpenLinks(const ColumnLayout& layout, const LatticeBoundary& boundary, double tau);
 
   std::size_t size() const { return links_.size(); }
+  /// Gives the node of each link a kinematic viscosity of its own, by its place.
+  void setViscosity(const std::function<double(std::uint32_t place)>& viscosity);
   /// Puts what comes back through a link where the next step expects it; the step before was an even one, or
   /// an odd one (LatticeFlow). Links need not be served in order.
   void serve(std::size_t link, bool afterEven, Real* populations);
@@ -42,9 +45,10 @@ class OpenLinks {
     std::uint8_t direction;
     bool alone;
     double wallBehind, density, outflow;
+    std::uint32_t place;
+    double shear;  ///< 3 (2 tau - 1)
   };
 
-  double shear_;  ///< 3 (2 tau - 1)
   double expectedOutflow_, area_, density_ = 0.0;
   std::vector<Link> links_;
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bridge/flow/LumenShape.h"
+#include "bridge/flow/TubeFlow.h"
 #include "bridge/flow/lbm/DevelopedInlet.h"
 #include "bridge/flow/lbm/InletLayer.h"
 #include "bridge/flow/lbm/SteadyState.h"
@@ -21,6 +22,14 @@ constexpr double runawayVelocity = 1.0;
 /// Checks in the time in which the flow settles: that of the mean flow through the lumen or across it, or
 /// that of diffusion across it where it is shorter.
 constexpr double checksPerPassage = 20.0;
+/// Pairs of steps from one change of the viscosity of blood that thins to the next (assumed: of 5 to 20, all
+/// settle alike).
+constexpr std::int64_t pairsPerViscosity = 10;
+
+std::optional<ViscosityLaw> inUnits(const std::optional<ViscosityLaw>& law, const LatticeUnits& units) {
+  if (!law) return {};
+  return law->in(units.dx, units.dt);
+}
 
 }  // namespace
 
@@ -30,8 +39,9 @@ SteadyLattice::SteadyLattice(const TriSurface& lumen, const FlowConditions& cond
       estimate_(estimate),
       lattice_(makeLumenLattice(lumen, dx, settings.maximumNodes)),
       units_(latticeUnits(lattice_.frame.dx, estimate_, conditions, settings.latticeVelocity)),
+      thinning_(inUnits(conditions.thinning, units_)),
       stress_(lumen, lattice_, settings.stressRule(),
-              (units_.relaxationTime(conditions.kinematicViscosity) - 0.5) / 3.0) {
+              (units_.relaxationTime(conditions.kinematicViscosity) - 0.5) / 3.0, thinning_) {
   relaxation_.tau = units_.relaxationTime(conditions.kinematicViscosity);
   relaxation_.magic = settings.magic;
   relaxation_.single = settings.singleRelaxation();
@@ -51,8 +61,7 @@ LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowCondi
   const WallRule rule = settings_.wallRule();
   LatticeEnds ends;
   const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
-  const double gradient = 8.0 * std::numbers::pi * conditions.dynamicViscosity() * estimate_.flowRate() /
-                          (outlet.area * outlet.area);
+  const double gradient = developedGradient(conditions, estimate_.flowRate(), outlet.area);
   ends.outletGradient = -3.0 * gradient * units_.dx / units_.pressure() * outlet.normal;
   if (conditions.drive == FlowConditions::Drive::pressureGradient) {
     ends.inlet = LatticeEnds::Inlet::pressure;
@@ -60,7 +69,7 @@ LatticeBoundary SteadyLattice::boundary(const TriSurface& lumen, const FlowCondi
     return makeBoundary(lattice_, lumen.region, rule, ends);
   }
   const double flowRate = conditions.flowRate / units_.flowRate();
-  const DevelopedInlet developed(lattice_, lumen.region, rule, relaxation_, flowRate);
+  const DevelopedInlet developed(lattice_, lumen.region, rule, relaxation_, flowRate, thinning_);
   ends.source = [&](const d3q19::Step& node, int direction) { return developed.source(node, direction); };
   LatticeBoundary result = makeBoundary(lattice_, lumen.region, rule, ends);
   result.expectedOutflow = flowRate;
@@ -96,7 +105,9 @@ std::int64_t SteadyLattice::checkInterval() const {
   const double across = std::sqrt(static_cast<double>(nodes()) / length);
   const double passage = std::max(length, across) / mean;
   const double diffusion = 0.75 * across * across / (relaxation_.tau - 0.5);  // radius squared over viscosity
-  return std::max<std::int64_t>(10, 2 * std::llround(0.5 * std::min(passage, diffusion) / checksPerPassage));
+  // Velocity and viscosity settle together, in several times of which the longest counts
+  const double time = thinning_ ? std::max(passage, diffusion) : std::min(passage, diffusion);
+  return std::max<std::int64_t>(10, 2 * std::llround(0.5 * time / checksPerPassage));
 }
 
 void SteadyLattice::diverged() const {
@@ -107,6 +118,24 @@ void SteadyLattice::diverged() const {
                   "\"bounceBack\" bears more",
                   steps_, relaxation_.tau, estimate_.peakVelocity() / units_.velocity(), 1e6 * units_.dx,
                   relaxation_.single ? "or collision = \"trt\"" : "or another latticeVelocity"));
+}
+
+void SteadyLattice::advance(std::int64_t pairs) {
+  const std::int64_t together = thinning_ ? pairsPerViscosity : pairs;
+  for (std::int64_t done = 0; done < pairs; done += together) {
+    if (thinning_) thin();
+    flow_->advance(static_cast<int>(std::min(together, pairs - done)));
+  }
+}
+
+void SteadyLattice::thin() {
+  flow_->setViscosity([this](std::uint32_t place) {
+    const auto stress = flow_->state(place).stress;
+    double square = 0.0;
+    for (std::size_t k = 0; k < stress.size(); ++k) square += (k < 3 ? 1.0 : 2.0) * stress[k] * stress[k];
+    // Twice the viscosity times the rate of strain, whose norm is the shear rate over the root of 2
+    return (*thinning_)(std::sqrt(0.5 * square) / flow_->viscosity(place));
+  });
 }
 
 void SteadyLattice::solve(double tolerance, const Watch& watch) {
@@ -125,7 +154,7 @@ void SteadyLattice::solve(double tolerance, const Watch& watch) {
               ? fmt::format("it is estimated to be {:.2g} from its steady state", distance)
               : "too few to estimate how far it is from its steady state",
           tolerance));
-    flow_->advance(static_cast<int>(interval / 2));
+    advance(interval / 2);
     steps_ += interval;
     const auto values = stress_.nodeValues(*flow_);
     std::vector<double> sample;

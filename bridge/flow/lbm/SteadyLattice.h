@@ -71,6 +71,9 @@ class SteadyLattice {
   std::vector<std::uint32_t> behindInlet(int further) const;
   LatticeBoundary boundary(const TriSurface& lumen, const FlowConditions& conditions) const;
   std::int64_t checkInterval() const;
+  void advance(std::int64_t pairs);
+  /// Gives every node the viscosity of its shear rate.
+  void thin();
   [[noreturn]] void diverged() const;
 
   LbmSettings settings_;
@@ -79,6 +82,7 @@ class SteadyLattice {
   std::vector<d3q19::Step> inletNodes_;  ///< of InletLayer
   LatticeUnits units_;
   LatticeRelaxation relaxation_;
+  std::optional<ViscosityLaw> thinning_;  ///< in lattice units
   WallStress stress_;
   std::unique_ptr<LatticeFlowBase> flow_;
   std::optional<double> givenFlow_;

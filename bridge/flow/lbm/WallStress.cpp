@@ -106,8 +106,8 @@ double reachOf(StressRule rule) {
 }  // namespace
 
 WallStress::WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule,
-                       double viscosity)
-    : viscosity_(viscosity) {
+                       double viscosity, const std::optional<ViscosityLaw>& thinning)
+    : viscosity_(viscosity), thinning_(thinning) {
   listFaces(lumen, rule, lattice.frame.dx);
   decideRules(rule, lattice.frame.dx);
   const NodeFinder finder(lattice);
@@ -209,7 +209,8 @@ Vec3 WallStress::traction(std::size_t face, const std::vector<NodeValue>& values
   for (std::uint32_t t = f.first; t < f.first + f.count; ++t)
     for (std::size_t k = 0; k < s.size(); ++k) s[k] += double{terms_[t].weight} * values[terms_[t].node][k];
   const Vec3& n = f.normal;
-  Vec3 onWall = viscosity_ * Vec3(s[6], s[7], s[8]);
+  const Vec3 rate(s[6], s[7], s[8]);
+  Vec3 onWall = (thinning_ ? (*thinning_)((rate - rate.dot(n) * n).norm()) : viscosity_) * rate;
   if (!f.ofVelocity())
     onWall = -Vec3(s[0] * n.x() + s[3] * n.y() + s[4] * n.z(), s[3] * n.x() + s[1] * n.y() + s[5] * n.z(),
                    s[4] * n.x() + s[5] * n.y() + s[2] * n.z());

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,9 @@ enum class StressRule {
 /// face keeps its nodes and their weights. Normals are smoothed (SmoothNormals).
 class WallStress {
  public:
-  /// @param viscosity kinematic, in lattice units
-  WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule, double viscosity);
+  /// @param viscosity kinematic, in lattice units  @param thinning what it is where it falls with the rate
+  WallStress(const TriSurface& lumen, const LumenLattice& lattice, StressRule rule, double viscosity,
+             const std::optional<ViscosityLaw>& thinning = {});
 
   /// Number of faces of wall and struts: the surface's triangles in their order, long ones in pieces.
   std::size_t faces() const { return faces_.size(); }
@@ -73,6 +75,7 @@ class WallStress {
   void numberNodes(std::size_t places);
 
   double viscosity_;
+  std::optional<ViscosityLaw> thinning_;
   std::vector<Face> faces_;
   std::vector<Term> terms_;
   std::vector<std::uint32_t> nodes_;  ///< places

@@ -347,7 +347,7 @@ def write(folder, path):
     if solid:
         add_struts(pipeline)
     if lumen:
-        add_lumen(pipeline, largest_stress(lumens), struts and not solid, labelled=bool(tissue))
+        add_lumen(pipeline, largest_stress(lumens), struts, labelled=bool(tissue))
     add_view(state, pipeline, sorted({day for day, _ in tissue + lumen}))
     partial = path.with_name(path.name + ".partial")
     partial.write_text(state.xml(), encoding="utf-8")
