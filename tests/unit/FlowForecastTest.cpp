@@ -69,6 +69,10 @@ TEST(FlowForecast, TheReynoldsNumberIsTheSameByEitherDrive) {
   EXPECT_NEAR(byVelocity, 0.133 * 1.8e-3 / 2.7e-6, 1e-9);
   flow.drive = "pressureGradient";
   EXPECT_NEAR(flow.reynoldsNumber(1.8e-3), byVelocity, 1e-3 * byVelocity);
+  flow.drive = "resistance";
+  EXPECT_NEAR(flow.reynoldsNumber(1.8e-3), byVelocity, 1e-9 * byVelocity);
+  flow.distalResistance = 2 * flow.distal(1.8e-3)->resistance;
+  EXPECT_NEAR(flow.reynoldsNumber(1.8e-3), byVelocity / 2, 1e-9 * byVelocity);
 }
 
 }  // namespace

@@ -198,6 +198,16 @@ TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
             std::string::npos);
   EXPECT_STARTS(finding(vessel + "[flow]\ndrive = \"pressureGradient\"\npressureGradient = \"0 Pa/m\"\n"),
                 "x.toml:8: 'pressureGradient' in [flow] is 0");
+  const std::string distal = vessel + "[flow]\ndrive = \"resistance\"\n";
+  EXPECT_EQ(finding(distal), "accepted");
+  EXPECT_STARTS(finding(distal + "distalResistance = \"1e-3 mmHg min/ml\"\n"),
+                "x.toml:8: 'distalResistance' in [flow] lets");
+  const std::string casson = vessel + "[flow]\nviscosity = \"casson\"\n";
+  EXPECT_EQ(finding(casson), "accepted");
+  EXPECT_STARTS(finding(casson + "backend = \"analytic\"\n"),
+                "x.toml:7: 'viscosity' in [flow] is \"casson\"");
+  EXPECT_NE(finding(casson + "zeroShearViscosity = \"1e-4 Pa s\"\n").find("it does not thicken"),
+            std::string::npos);
   const std::string cycle = vessel + "[mechanics]\n[cellCycle]\n[endothelium]\n";  // lines 6 to 8
   EXPECT_EQ(finding(cycle), "accepted");
   EXPECT_STARTS(finding(cycle + "nitricOxideTransition = \"0.1 Pa\"\n"),

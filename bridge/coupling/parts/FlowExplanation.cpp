@@ -8,6 +8,8 @@
 namespace restenosis {
 namespace {
 
+constexpr double mmHg = 133.322387415;  ///< [Pa]
+
 /// Only of a packed wall: a loaded one may have gaps in its IEL, or none at all.
 bool nothingCanBeExposed(const Scene& scene) {
   if (!scene.vessel.agents.empty()) return false;
@@ -52,6 +54,19 @@ std::vector<PlannedPart> FlowPart::explain(const Scene& scene) {
   for (const std::string& known : flowForecast(scene, 1)) text += "; it " + known;
   std::vector<PlannedPart> parts{{fmt::format("flow ({})", scene.flow->backend), true, text}};
   for (PlannedPart& mesh : meshExplanation(scene)) parts.push_back(std::move(mesh));
+  if (const auto law = scene.flow->thinning())
+    parts.push_back(
+        {"viscosity", true,
+         fmt::format("blood thins ({}): {:.3g} mPa s at the wall of the undeformed lumen",
+                     scene.flow->viscosity,
+                     1e3 * scene.flow->density * scene.flow->wallViscosity(scene.vessel.lumenDiameter))});
+  if (const auto distal = scene.flow->distal(scene.vessel.lumenDiameter))
+    parts.push_back(
+        {"distal resistance", true,
+         fmt::format("{:.4g} mmHg along the lumen and {:.3g} mmHg min/ml behind it: {:.4g} ml/min "
+                     "through a lumen that does not resist",
+                     distal->pressure / mmHg, distal->resistance / (60e6 * mmHg),
+                     60e6 * distal->pressure / distal->resistance)});
   if (scene.flow->straightEnds > 0)
     parts.push_back({"straight ends", true,
                      fmt::format("{:g} mm of straight tube before the inlet and behind the outlet, in the "

@@ -105,8 +105,8 @@ std::int64_t SteadyLattice::checkInterval() const {
   const double across = std::sqrt(static_cast<double>(nodes()) / length);
   const double passage = std::max(length, across) / mean;
   const double diffusion = 0.75 * across * across / (relaxation_.tau - 0.5);  // radius squared over viscosity
-  // Velocity and viscosity settle together, in several times of which the longest counts
-  const double time = thinning_ ? std::max(passage, diffusion) : std::min(passage, diffusion);
+  // Where blood thins and its flow rate is not given, velocity and viscosity settle together, and late
+  const double time = thinning_ && !givenFlow_ ? std::max(passage, diffusion) : std::min(passage, diffusion);
   return std::max<std::int64_t>(10, 2 * std::llround(0.5 * time / checksPerPassage));
 }
 
