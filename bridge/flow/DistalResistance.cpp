@@ -11,7 +11,8 @@ namespace {
 /// Relative difference of the flow rate solved for and that of its pressure drop which is small enough
 /// (assumed: of the order of a method's error).
 constexpr double settled = 0.005;
-/// Solutions for one lumen at most (assumed: three are enough for a lumen of a hundredth of its area).
+/// Solutions for one lumen at most (assumed: five were enough where the drop goes with the square of the
+/// flow).
 constexpr int mostSolutions = 8;
 
 /// A flow rate, and the lumen's own resistance at it.
@@ -32,7 +33,7 @@ double flowRateOf(const DistalBed& distal, const Solved& last, const std::option
 
 FlowSolution DistalResistance::solve(const TriSurface& lumen, const FlowConditions& conditions,
                                      const std::filesystem::path& caseFolder) {
-  if (!conditions.distal) return backend_->solve(lumen, conditions, caseFolder);
+  if (!conditions.distal) return wrapped().solve(lumen, conditions, caseFolder);
   FlowConditions given = conditions;
   given.drive = FlowConditions::Drive::flowRate;
   given.distal.reset();
@@ -41,7 +42,7 @@ FlowSolution DistalResistance::solve(const TriSurface& lumen, const FlowConditio
   double meshSeconds = 0, solveSeconds = 0;
   for (int n = 0; n < mostSolutions; ++n) {
     if (n > 0 && !caseFolder.empty()) std::filesystem::remove_all(caseFolder);
-    FlowSolution solution = backend_->solve(lumen, given, caseFolder);
+    FlowSolution solution = wrapped().solve(lumen, given, caseFolder);
     solution.iterations = iterations += solution.iterations;
     solution.meshSeconds = meshSeconds += solution.meshSeconds;
     solution.solveSeconds = solveSeconds += solution.solveSeconds;

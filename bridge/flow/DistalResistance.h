@@ -1,8 +1,6 @@
 #pragma once
 
-#include <memory>
-
-#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/WrappedBackend.h"
 
 namespace restenosis {
 
@@ -14,25 +12,12 @@ namespace restenosis {
 /// A lumen that narrows loses flow by this, as it does in people: little until its own resistance dp / Q
 /// comes near R_d. dp / Q is taken to be a line in Q, as for a stenosis (Young 1979), through the last two
 /// solutions; what remains is solved again. Where nothing is distal, the backend solves as it is.
-class DistalResistance : public FlowBackend {
+class DistalResistance : public WrappedBackend {
  public:
-  explicit DistalResistance(std::unique_ptr<FlowBackend> backend) : backend_(std::move(backend)) {}
-  std::string_view name() const override { return backend_->name(); }
+  using WrappedBackend::WrappedBackend;
   /// Throws FlowFailed, also where no flow rate is found.
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
-  void startFrom(const std::filesystem::path& formerCase) override { backend_->startFrom(formerCase); }
-  bool needsFormerCase() const override { return backend_->needsFormerCase(); }
-  std::vector<std::filesystem::path> filesToStartFrom(
-      const std::filesystem::path& formerCase) const override {
-    return backend_->filesToStartFrom(formerCase);
-  }
-  std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override {
-    return backend_->velocities(points);
-  }
-
- private:
-  std::unique_ptr<FlowBackend> backend_;
 };
 
 }  // namespace restenosis

@@ -107,7 +107,7 @@ FlowSolution StraightEnds::solve(const TriSurface& lumen, const FlowConditions& 
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(error.what(), {});
   }
-  FlowSolution solution = backend_->solve(longer, conditions, caseFolder);
+  FlowSolution solution = wrapped().solve(longer, conditions, caseFolder);
   // By the nearest triangle, not by place: a bent lumen may pass beside its own straight ends
   const Sides sides = sidesOf(longer, lumen.triangles.size());
   const NearestTriangle nearest(longer.vertices, sides.triangles);

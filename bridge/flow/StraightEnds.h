@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "bridge/flow/FlowBackend.h"
+#include "bridge/flow/WrappedBackend.h"
 
 namespace restenosis {
 
@@ -21,25 +21,14 @@ double longestStraightEnds(const TriSurface& lumen, double length);
 /// Solves by another backend in the lumen with straight ends, so that what is given at the inlet and outlet
 /// (a developed profile, a uniform pressure) holds upstream and downstream of the lumen instead of in it. The
 /// wall of the solution is the lumen's alone; pressure drop and mesh are those of the whole.
-class StraightEnds : public FlowBackend {
+class StraightEnds : public WrappedBackend {
  public:
   StraightEnds(std::unique_ptr<FlowBackend> backend, double length)
-      : backend_(std::move(backend)), length_(length) {}
-  std::string_view name() const override { return backend_->name(); }
+      : WrappedBackend(std::move(backend)), length_(length) {}
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
-  void startFrom(const std::filesystem::path& formerCase) override { backend_->startFrom(formerCase); }
-  bool needsFormerCase() const override { return backend_->needsFormerCase(); }
-  std::vector<std::filesystem::path> filesToStartFrom(
-      const std::filesystem::path& formerCase) const override {
-    return backend_->filesToStartFrom(formerCase);
-  }
-  std::vector<Vec3> velocities(const std::vector<Vec3>& points) const override {
-    return backend_->velocities(points);
-  }
 
  private:
-  std::unique_ptr<FlowBackend> backend_;
   double length_;  ///< of each straight end [m]
 };
 

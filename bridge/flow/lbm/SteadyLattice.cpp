@@ -22,8 +22,7 @@ constexpr double runawayVelocity = 1.0;
 /// Checks in the time in which the flow settles: that of the mean flow through the lumen or across it, or
 /// that of diffusion across it where it is shorter.
 constexpr double checksPerPassage = 20.0;
-/// Pairs of steps from one change of the viscosity of blood that thins to the next (assumed: of 5 to 20, all
-/// settle alike).
+/// Pairs of steps from one change of the viscosity of blood that thins to the next (assumed).
 constexpr std::int64_t pairsPerViscosity = 10;
 
 std::optional<ViscosityLaw> inUnits(const std::optional<ViscosityLaw>& law, const LatticeUnits& units) {
