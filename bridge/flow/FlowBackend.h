@@ -24,11 +24,11 @@ struct FlowConditions {
   double flowRate = 0.0;          ///< volume per time through the inlet [m^3/s]
   double pressureGradient = 0.0;  ///< -dp/dz [Pa/m], for Drive::pressureGradient
   double density = 1000.0;        ///< [kg/m^3]
-  double kinematicViscosity =
-      0.0;  ///< [m^2/s]; of blood that thins, that at the wall of the undeformed lumen
+  /// [m^2/s]; of blood that thins, that at the wall of the undeformed lumen.
+  double kinematicViscosity = 0.0;
   std::optional<ViscosityLaw> thinning = std::nullopt;  ///< how it thins; none of a Newtonian fluid
-  std::optional<DistalBed> distal =
-      std::nullopt;  ///< what the flow rate follows from (DistalResistance); `flowRate` is a guess then
+  /// What the flow rate follows from (DistalResistance); `flowRate` is a guess then.
+  std::optional<DistalBed> distal = std::nullopt;
   double dynamicViscosity() const { return density * kinematicViscosity; }
 };
 

@@ -18,6 +18,7 @@ struct FlowParameters {
   /// slower flow: at 1e-12 m/s the stress in a tube was found 4 % too high, at 1e-9 m/s it is that of any
   /// velocity.
   static constexpr double slowest = 1e-9;
+  /// Largest mean velocity [m/s] (assumed).
   static constexpr double fastest = 10;
 
   std::string backend = "foam";
