@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace restenosis {
+namespace {
+
+/// Of the shear rate at a stress, relative.
+constexpr double rateTolerance = 1e-13;
+
+}  // namespace
 
 double ViscosityLaw::operator()(double shearRate) const {
   if (kind == Kind::carreau)
@@ -16,12 +22,11 @@ double ViscosityLaw::operator()(double shearRate) const {
 }
 
 double ViscosityLaw::shearRateAt(double stress) const {
-  constexpr double precision = 1e-13;
   if (!(stress > 0)) return 0;
   // It thins, so it shears no slower than with the viscosity at rest, and no faster than with the least
   double low = stress / zeroShear, high = 2 * low;
   while ((*this)(high)*high < stress) high *= 2;
-  while (high - low > precision * high) {
+  while (high - low > rateTolerance * high) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
     ((*this)(middle)*middle < stress ? low : high) = middle;
