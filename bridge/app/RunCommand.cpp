@@ -67,7 +67,8 @@ void nameResults(const ResultsFolder& folder, const Run& run, bool pictures) {
     }
   }
   if (!pictures) return;
-  for (const char* picture : {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png"})
+  for (const char* picture :
+       {"vessel.png", "section.png", "growth.png", "lumen.png", "lumen3d.png", "beats.png"})
     name(picture, "picture");
   name("report.html", "all of it on one page: open in a browser");
   name("view.pvsm", "open in ParaView: the vessel cut open, day by day");

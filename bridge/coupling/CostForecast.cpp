@@ -37,6 +37,7 @@ struct CostEstimate {
   double surfaceSecondsPerStep = 1.4e-6, bulkSecondsPerStep = 2e-6, restSecondsPerStep = 6e-7;
   // One solve by OpenFOAM, with its mesh, and by the lattice
   double foamBytes = 1.3e8, bytesPerCell = 4300, secondsPerCell = 4.2e-4, shareOfTwoRanks = 0.73;
+  double secondsPerCellInAStep = 2.7e-6;  ///< of a beat, by one correction, on one core
   double latticeBytes = 3e7, bytesPerLatticeNode = 200, secondsPerLatticeNode = 1e-5;
 };
 
@@ -156,9 +157,14 @@ std::optional<FlowCost> flowCost(const Scene& scene) {
     return flow;
   };
   if (scene.flow->backend == flowBackendNames::foam) {
-    const double cells = expectedCells(lumen, scene.foamSettings());
+    const FoamSettings foam = scene.foamSettings();
+    const double cells = expectedCells(lumen, foam);
+    double seconds = cost.secondsPerCell;
+    if (scene.flow->isBeating())
+      seconds += static_cast<double>(scene.flow->beats * foam.beatSteps * foam.beatCorrectors) *
+                 cost.secondsPerCellInAStep;
     return of(cells, "cells", cost.foamBytes + cost.bytesPerCell * cells,
-              cost.secondsPerCell * (cells > cellsWorthTwoRanks ? cost.shareOfTwoRanks : 1));
+              seconds * (cells > cellsWorthTwoRanks ? cost.shareOfTwoRanks : 1));
   }
   if (scene.flow->backend == flowBackendNames::lbm) {
     const double nodes = lumen.volume / std::pow(scene.lbmSettings().dx, 3);

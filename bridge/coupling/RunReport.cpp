@@ -91,6 +91,7 @@ void RunReport::writeSummary(const std::string& status, const Schedule* schedule
   summary.flowSolvesDone = quantities_.flow.solves;
   summary.flowMeshesMoved = quantities_.flow.meshesMoved;
   summary.flowRemeshed = quantities_.flow.remeshedBecause;
+  if (const auto& flow = quantities_.flow.last; flow && flow->beats.beats > 0) summary.beats = flow->beats;
   if (schedule) {
     const auto flow = schedule->counts().find("flow");
     if (flow != schedule->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;

@@ -37,6 +37,7 @@ FlowSolution DistalResistance::solve(const TriSurface& lumen, const FlowConditio
   FlowConditions given = conditions;
   given.drive = FlowConditions::Drive::flowRate;
   given.distal.reset();
+  given.beating.reset();
   std::optional<Solved> before;
   int iterations = 0;
   double meshSeconds = 0, solveSeconds = 0;
@@ -49,7 +50,12 @@ FlowSolution DistalResistance::solve(const TriSurface& lumen, const FlowConditio
     // Pressure that a wider outlet regains is not a resistance below none
     const Solved last{given.flowRate, std::max(0.0, solution.pressureDrop / given.flowRate)};
     const double wanted = flowRateOf(*conditions.distal, last, before);
-    if (std::abs(wanted / given.flowRate - 1) < settled) return solution;
+    if (std::abs(wanted / given.flowRate - 1) < settled) {
+      if (!conditions.beating) return solution;
+      given.beating = conditions.beating;  // about the mean that is found
+      if (!caseFolder.empty()) std::filesystem::remove_all(caseFolder);
+      return wrapped().solve(lumen, given, caseFolder);
+    }
     before = last;
     given.flowRate = wanted;
   }

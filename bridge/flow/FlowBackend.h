@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "bridge/flow/BeatStress.h"
 #include "bridge/flow/ViscosityLaw.h"
+#include "bridge/flow/Waveform.h"
 #include "bridge/surface/TriSurface.h"
 
 namespace restenosis {
@@ -15,6 +17,14 @@ namespace restenosis {
 struct DistalBed {
   double resistance = 0.0;  ///< pressure lost over the flow rate [Pa s/m^3]
   double pressure = 0.0;    ///< lost along the vessel and the bed together [Pa]
+};
+
+/// How the flow rate at the inlet beats.
+struct Beating {
+  Waveform waveform;
+  int beats = 3;  ///< solved one after the other, two at least
+  /// Whether WallFace::traction is that of the last beat, TAWSS along the mean traction, or of steady flow.
+  bool meanStress = true;
 };
 
 /// What drives the flow and what flows; the same for every backend. SI units.
@@ -29,6 +39,7 @@ struct FlowConditions {
   std::optional<ViscosityLaw> thinning = std::nullopt;  ///< how it thins; none of a Newtonian fluid
   /// What the flow rate follows from (DistalResistance); `flowRate` is a guess then.
   std::optional<DistalBed> distal = std::nullopt;
+  std::optional<Beating> beating = std::nullopt;  ///< about `flowRate` as its mean; none of steady flow
   double dynamicViscosity() const { return density * kinematicViscosity; }
 };
 
@@ -38,10 +49,27 @@ struct WallFace {
   double area;           ///< [m^2]
   Vec3 traction;         ///< tangential traction of the fluid on the wall, along the flow [Pa]
   SurfaceRegion region;  ///< wall or strut
+  BeatStress beat = {};  ///< of the last beat, where the flow was solved for beats
 
   template <class Archive>
   void archive(Archive& a) {
-    a(centre.x(), centre.y(), centre.z(), area, traction.x(), traction.y(), traction.z(), region);
+    a(centre.x(), centre.y(), centre.z(), area, traction.x(), traction.y(), traction.z(), region, beat);
+  }
+};
+
+/// What beats have shown about a solution. Differences are over all faces, weighted by area.
+struct BeatSummary {
+  int beats = 0;                  ///< solved; 0 of a steady flow
+  double period = 0.0;            ///< [s]
+  double meanStress = 0.0;        ///< mean TAWSS [Pa]
+  double change = 0.0;            ///< of TAWSS from the last beat but one to the last, relative L2 norm
+  double steadyMean = 0.0;        ///< mean stress of steady flow over mean TAWSS, less 1
+  double steadyDifference = 0.0;  ///< of the stress of steady flow from TAWSS, relative L2 norm
+  double seconds = 0.0;           ///< that the beats took
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(beats, period, meanStress, change, steadyMean, steadyDifference, seconds);
   }
 };
 
@@ -57,11 +85,12 @@ struct FlowSolution {
   std::vector<std::string> remarks;  ///< retries, warnings; empty when all went as planned
   bool meshMoved = false;            ///< the mesh is that of the former solve, moved onto the lumen
   std::string remeshedBecause;       ///< why not, as a category; empty where no mesh is ever moved
+  BeatSummary beats;
 
   template <class Archive>
   void archive(Archive& a) {
     a(wall, flowRate, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks,
-      meshMoved, remeshedBecause);
+      meshMoved, remeshedBecause, beats);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 
+#include "bridge/flow/CoronaryWaveforms.h"
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/TubeFlow.h"
 #include "tissue/parameters/NamedTable.h"
@@ -20,9 +21,17 @@ constexpr std::string_view newtonian = "newtonian";
 constexpr std::array laws{Named<ViscosityLaw::Kind>{"carreau", ViscosityLaw::Kind::carreau},
                           Named<ViscosityLaw::Kind>{"casson", ViscosityLaw::Kind::casson}};
 
+constexpr std::string_view steady = "none";
+
 std::vector<std::string_view> viscosityNames() {
   std::vector<std::string_view> names{newtonian};
   for (const auto& law : laws) names.push_back(law.name);
+  return names;
+}
+
+std::vector<std::string_view> waveformNames() {
+  std::vector<std::string_view> names{steady};
+  for (const std::string_view name : coronaryWaveformNames()) names.push_back(name);
   return names;
 }
 
@@ -124,6 +133,28 @@ void FlowParameters::describe(ParameterVisitor& p) {
                            .maximum = 100,
                            .source = "Fournier 2011",
                            .description = "stress below which blood does not shear, of Casson's law"});
+  p.choice(waveform, waveformNames(),
+           {.key = "waveform",
+            .source = "docs/model/beats.md",
+            .description =
+                "how the flow rate of a heart beat goes about its mean: not at all, or as measured in a "
+                "left or right coronary artery; foam only"});
+  p.file(waveformFile,
+         {.key = "waveformFile",
+          .source = "none",
+          .description = "another waveform: a table with the columns time (s) and flowRate (any unit) "
+                         "over one beat"});
+  p.integer(beats, {.key = "beats",
+                    .minimum = 2,
+                    .maximum = 100,
+                    .source = "docs/results/beats.md",
+                    .description = "heart beats that are solved; the stress is that of the last"});
+  p.choice(stressMeasure, {"mean", "steady"},
+           {.key = "stressMeasure",
+            .source = "assumed",
+            .description =
+                "of a beating flow, the stress that cells feel: the mean over the beat (TAWSS), or that of "
+                "steady flow at the mean flow rate"});
   p.quantity(straightEnds, {.key = "straightEnds",
                             .unit = "mm",
                             .minimum = 0,
@@ -173,6 +204,14 @@ double FlowParameters::drivenVelocity(double lumenDiameter) const {
     return TubeFlow::ofWallStress(*law, wallStressOfGradient(*this, radius), radius).flowRate() /
            (std::numbers::pi * radius * radius);
   return pressureGradient * radius * radius / (8 * density * kinematicViscosity);
+}
+
+std::optional<Beating> FlowParameters::beating() const {
+  if (!isBeating()) return std::nullopt;
+  const auto points = waveformFile.empty() ? coronaryWaveform(waveform) : readWaveform(waveformFile);
+  return Beating{.waveform = waveformThrough(points),
+                 .beats = static_cast<int>(beats),
+                 .meanStress = stressMeasure == "mean"};
 }
 
 std::optional<ViscosityLaw> FlowParameters::thinning() const {

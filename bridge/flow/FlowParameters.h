@@ -34,12 +34,16 @@ struct FlowParameters {
   double infiniteShearViscosity = 0.00345;        ///< of Carreau [Pa s]
   double carreauTime = 3.313;                     ///< [s]
   double carreauIndex = 0.3568;
-  double cassonViscosity = 0.00417;  ///< [Pa s]
-  double yieldStress = 0.00308;      ///< of Casson [Pa]
-  double straightEnds = 0.0;         ///< of straight tube before the inlet and behind the outlet [m]
-  std::string crossCheck = "none";   ///< see FlowBackendNames.h: crossChecks
-  double crossCheckShare = 0.1;      ///< of the flow's time
-  double crossCheckLimit = 0.1;      ///< of the stress
+  double cassonViscosity = 0.00417;    ///< [Pa s]
+  double yieldStress = 0.00308;        ///< of Casson [Pa]
+  std::string waveform = "none";       ///< see beating
+  std::string waveformFile;            ///< table of another waveform; empty for none
+  std::int64_t beats = 3;              ///< solved, one after the other
+  std::string stressMeasure = "mean";  ///< see beating
+  double straightEnds = 0.0;           ///< of straight tube before the inlet and behind the outlet [m]
+  std::string crossCheck = "none";     ///< see FlowBackendNames.h: crossChecks
+  double crossCheckShare = 0.1;        ///< of the flow's time
+  double crossCheckLimit = 0.1;        ///< of the stress
 
   void describe(ParameterVisitor& p);
   bool isCrossChecked() const;
@@ -49,6 +53,8 @@ struct FlowParameters {
   /// What lies behind the vessel, where `drive` is "resistance". Without a resistance of its own it lets the
   /// flow rate of `meanVelocity` through, the vessel's own resistance left out.
   std::optional<DistalBed> distal(double lumenDiameter) const;
+  /// Whether the flow rate beats.
+  bool isBeating() const { return waveform != "none" || !waveformFile.empty(); }
   /// How blood thins, as `viscosity` says; nothing of Newtonian blood. Throws std::invalid_argument for a
   /// word that is none of its.
   std::optional<ViscosityLaw> thinning() const;
@@ -57,8 +63,11 @@ struct FlowParameters {
   /// Of meanVelocity in the undeformed lumen, or what `distal` would let through a vessel without resistance
   /// [m^3/s].
   double givenFlowRate(double lumenDiameter) const;
-  /// The conditions a backend solves for; the flow rate is the mean velocity times the undeformed lumen's
-  /// area.
+  /// How the flow rate beats, as `waveform` or the table says; nothing of steady flow. Throws WaveformError
+  /// for a table that cannot be used, and std::invalid_argument for a word that is none of waveform's.
+  std::optional<Beating> beating() const;
+  /// The conditions of steady flow that a backend solves for; the flow rate is the mean velocity times the
+  /// undeformed lumen's area.
   FlowConditions conditions(double lumenDiameter) const;
   /// U D / nu in the undeformed lumen; at a fixed gradient with the mean velocity of developed flow.
   double reynoldsNumber(double lumenDiameter) const;

@@ -90,6 +90,7 @@ FlowSolution AnyDirection::solve(const TriSurface& lumen, const FlowConditions& 
   for (WallFace& face : solution.wall) {
     face.centre = back * face.centre;
     face.traction = back.linear() * face.traction;
+    face.beat.mean = back.linear() * face.beat.mean;
   }
   return solution;
 }

@@ -42,8 +42,8 @@ class OwnFolder {
 
 /// Links in the place of what is drawn: it would be written where they lead.
 void removeLinks(const fs::path& results) {
-  for (const char* picture :
-       {"vessel", "section", "growth", "lumen", "lumen3d", "compareMaps", "compareScatter", "tradeoff"})
+  for (const char* picture : {"vessel", "section", "growth", "lumen", "lumen3d", "beats", "compareMaps",
+                              "compareScatter", "tradeoff"})
     for (const char* kind : {".png", ".partial.png", ".pdf", ".partial.pdf"})
       removeIfLink(results / (std::string(picture) + kind));
   for (const char* text :

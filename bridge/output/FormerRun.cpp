@@ -108,11 +108,11 @@ void removeReplacedRun(const fs::path& results) {
 }  // namespace
 
 bool isNameOfResult(const fs::path& name) {
-  static constexpr std::array<std::string_view, 22> files{
+  static constexpr std::array<std::string_view, 23> files{
       "scene.toml",  "timeSeries.csv", "profile.csv",    "thicknessMap.csv", "summary.json", "tissue.pvd",
       "lumen.pvd",   "report.html",    "figures.log",    "compare.json",     "growth.png",   "lumen.png",
       "section.png", "lumen3d.png",    "crossCheck.png", "growth.pdf",       "lumen.pdf",    "section.pdf",
-      "vessel.png",  "view.pvsm",      "struts.vtp",     "animation.gif"};
+      "vessel.png",  "view.pvsm",      "struts.vtp",     "animation.gif",    "beats.png"};
   return isAmong(files, name) || isNameOfResultFolder(name);
 }
 

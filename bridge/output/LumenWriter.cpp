@@ -19,6 +19,8 @@ namespace restenosis {
 
 namespace {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 std::vector<std::size_t> sideTriangles(const TriSurface& lumen) {
   std::vector<std::size_t> side;
   for (std::size_t t = 0; t < lumen.triangles.size(); ++t)
@@ -30,19 +32,33 @@ SurfaceRegion otherThan(SurfaceRegion region) {
   return region == SurfaceRegion::strut ? SurfaceRegion::wall : SurfaceRegion::strut;
 }
 
-std::vector<Vec3> nearestTractions(const TriSurface& lumen, const std::vector<std::size_t>& triangles,
-                                   const FlowSolution* flow) {
-  std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-  if (flow == nullptr || flow->wall.empty()) return tractions;
+/// The flow's face nearest to each triangle; null where there is none.
+std::vector<const WallFace*> nearestFaces(const TriSurface& lumen, const std::vector<std::size_t>& triangles,
+                                          const FlowSolution* flow) {
+  std::vector<const WallFace*> found(triangles.size(), nullptr);
+  if (flow == nullptr || flow->wall.empty()) return found;
   const RegionalFaces faces(flow->wall);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const SurfaceRegion region = lumen.region[triangles[k]];
     const Vec3 centre = lumen.centre(triangles[k]);
     auto nearest = faces.nearest(centre, region, 1);
     if (nearest.empty()) nearest = faces.nearest(centre, otherThan(region), 1);
-    if (!nearest.empty()) tractions[k] = nearest.front().face->traction;
+    if (!nearest.empty()) found[k] = nearest.front().face;
   }
-  return tractions;
+  return found;
+}
+
+/// The stress over a beat, by triangle.
+void addBeatArrays(vtkCellData& cells, const std::vector<const WallFace*>& faces) {
+  const auto add = [&](const char* name, auto&& value) {
+    addArray<vtkFloatArray>(&cells, name, faces.size(), 1, [&](std::size_t k, int) {
+      return faces[k] != nullptr ? value(faces[k]->beat) : unknown;
+    });
+  };
+  add("TAWSS", [](const BeatStress& beat) { return beat.average; });
+  add("OSI", [](const BeatStress& beat) { return beat.oscillatoryIndex(); });
+  add("RRT", [](const BeatStress& beat) { return beat.residenceTime(); });
+  add("transWSS", [](const BeatStress& beat) { return beat.transverse; });
 }
 
 /// Notes the centre of an end, if there is one.
@@ -68,7 +84,10 @@ void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, Sur
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
                 double time, const RadialMap* postDeployment) {
   const auto triangles = sideTriangles(lumen);
-  const auto tractions = nearestTractions(lumen, triangles, flow);
+  const auto faces = nearestFaces(lumen, triangles, flow);
+  std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(unknown));
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    if (faces[k] != nullptr) tractions[k] = faces[k]->traction;
   const auto data = polyDataOf(lumen, triangles);
   auto* cells = data->GetCellData();
   addArray<vtkUnsignedCharArray>(cells, "region", triangles.size(), 1,
@@ -77,6 +96,7 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
                           [&](std::size_t k, int) { return tractions[k].norm(); });
   addArray<vtkFloatArray>(cells, "traction", triangles.size(), 3,
                           [&](std::size_t k, int c) { return tractions[k][c]; });
+  if (flow != nullptr && flow->beats.beats > 0) addBeatArrays(*cells, faces);
   const auto points = static_cast<std::size_t>(data->GetNumberOfPoints());
   const auto place = [&](std::size_t p) { return Vec3(data->GetPoint(static_cast<vtkIdType>(p))); };
   const auto radius = [&](std::size_t p) { return std::hypot(place(p).x(), place(p).y()); };

@@ -74,6 +74,18 @@ Json injury(const Summary& summary) {
           {"syntheticCellsByStretch", done.syntheticByStretch}};
 }
 
+Json beats(const Summary& summary) {
+  if (!summary.beats) return nullptr;
+  const BeatSummary& beats = *summary.beats;
+  return {{"beats", beats.beats},
+          {"period_s", beats.period},
+          {"meanTawss_Pa", beats.meanStress},
+          {"changeInLastBeat", beats.change},
+          {"steadyMeanDifference", beats.steadyMean},
+          {"steadyRelativeL2", beats.steadyDifference},
+          {"seconds", beats.seconds}};
+}
+
 Json flowSolves(const Summary& summary) {
   Json flow;
   flow["backend"] = summary.flowBackend.empty() ? Json(nullptr) : Json(summary.flowBackend);
@@ -84,6 +96,7 @@ Json flowSolves(const Summary& summary) {
   flow["skippedBecause"] = Json(summary.flowSolvesSkipped);
   flow["meshesMoved"] = summary.flowMeshesMoved;
   flow["remeshedBecause"] = Json(summary.flowRemeshed);
+  flow["beats"] = beats(summary);
   return flow;
 }
 

@@ -226,6 +226,36 @@ Finding thinningBlood(const Scene& s, const Units&) {
   return {};
 }
 
+Finding beatingFlow(const Scene& s, const Units&) {
+  if (!s.flow || !s.flow->isBeating()) return {};
+  const FlowParameters& flow = *s.flow;
+  const std::string_view key = flow.waveformFile.empty() ? "waveform" : "waveformFile";
+  if (!flow.waveformFile.empty() && flow.waveform != "none")
+    return fmt::format("'waveformFile' in [flow] is a waveform, and so is \"{}\"; take one of them out",
+                       flow.waveform);
+  if (flow.backend != flowBackendNames::foam)
+    return fmt::format(
+        "'{}' in [flow] makes the flow beat, which backend = \"{}\" cannot solve; allowed is \"foam\"", key,
+        flow.backend);
+  if (flow.keeps() != FlowConditions::Drive::flowRate)
+    return fmt::format(
+        "'{}' in [flow] says how the flow rate beats, but drive = \"{}\" gives none; allowed are "
+        "\"flowRate\" and \"resistance\"",
+        key, flow.drive);
+  if (flow.isCrossChecked())
+    return fmt::format(
+        "'{}' in [flow] makes the flow beat, and crossCheck = \"{}\" compares steady flows; allowed is "
+        "\"none\"",
+        key, flow.crossCheck);
+  if (flow.waveformFile.empty()) return {};
+  try {
+    readWaveform(flow.waveformFile);
+    return {};
+  } catch (const WaveformError& error) {
+    return fmt::format("'waveformFile' in [flow]: {}", error.what());
+  }
+}
+
 /// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!s.hasTissue()) return {};
@@ -289,6 +319,8 @@ const std::vector<Check>& checks() {
       {{"flow.viscosity", "flow.backend", "flow.crossCheck", "flow.density", "flow.zeroShearViscosity",
         "flow.infiniteShearViscosity", "flow.cassonViscosity"},
        thinningBlood},
+      {{"flow.waveformFile", "flow.waveform", "flow.backend", "flow.drive", "flow.crossCheck", "flow.beats"},
+       beatingFlow},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };

@@ -17,7 +17,7 @@ using namespace support;
 using Agents = std::vector<Index>;
 
 /// Agents in a line that touch; the first and the last are bonded. The neighbour list holds more than acts.
-struct Line {
+struct CellRow {
   AgentStore agents;
   BondTable bonds;
   ForceField field{MechanicsParameters{}};
@@ -27,7 +27,7 @@ struct Line {
   std::unique_ptr<ForceCache> forces;
 
   static constexpr Index count = 20;
-  explicit Line(bool mixed = true) {
+  explicit CellRow(bool mixed = true) {
     for (Index i = 0; i < count; ++i) agents.append(AgentKind::smc, Vec3(1.9 * r * i, 0, 0), r);
     bonds.resize(count);
     bonds.connect(0, count - 1, 100 * r);
@@ -41,15 +41,15 @@ struct Line {
 };
 
 TEST(ForceCache, KnowsNothingAtFirstAndAllOnceEvaluated) {
-  Line line;
-  EXPECT_EQ(line.stale().size(), Line::count);
+  CellRow line;
+  EXPECT_EQ(line.stale().size(), CellRow::count);
   line.forces->refresh();
   EXPECT_TRUE(line.stale().empty());
 }
 
 TEST(ForceCache, IsStaleWhereAnAgentThatMovedActsOrActed) {
   for (const bool mixed : {false, true}) {
-    Line line(mixed);
+    CellRow line(mixed);
     line.stale();
     line.agents.setPosition(2, line.agents.position(5) + Vec3(0, 1.9 * r, 0));
     line.forces->refresh();
@@ -65,7 +65,7 @@ TEST(ForceCache, IsStaleWhereAnAgentThatMovedActsOrActed) {
 TEST(ForceCache, IsStaleWhereAnAgentGrewAndForPartnersOfBondsHoweverFar) {
   const std::vector<std::pair<Index, Agents>> expected{{3, {2, 3, 4}}, {0, {0, 1, 19}}};
   for (const auto& [grown, stale] : expected) {
-    Line line;
+    CellRow line;
     line.stale();
     line.agents.radius[grown] *= 1.01;
     line.forces->refresh();
@@ -74,7 +74,7 @@ TEST(ForceCache, IsStaleWhereAnAgentGrewAndForPartnersOfBondsHoweverFar) {
 }
 
 TEST(ForceCache, IsStaleForNewAgentsAndThoseTheyTouch) {
-  Line line;
+  CellRow line;
   line.stale();
   line.agents.append(AgentKind::smc, Vec3(1.9 * r * 4, 1.9 * r, 0), r);
   line.bonds.resize(line.agents.size());
@@ -84,23 +84,23 @@ TEST(ForceCache, IsStaleForNewAgentsAndThoseTheyTouch) {
 }
 
 TEST(ForceCache, KnowsNothingOfAgentsInAnotherOrder) {
-  Line line;
+  CellRow line;
   line.stale();
-  Agents order(Line::count);
+  Agents order(CellRow::count);
   std::iota(order.begin(), order.end(), Index{0});
   std::swap(order[0], order[1]);
   line.agents.reorder(order);
   line.bonds.reorder(order);
   line.forces->refresh();
-  EXPECT_EQ(line.stale().size(), Line::count);
+  EXPECT_EQ(line.stale().size(), CellRow::count);
 }
 
 TEST(ForceCache, LeavesOutStrutsAndActiveAgents) {
-  Line line;
+  CellRow line;
   line.agents.kind[4] = AgentKind::strut;
   line.active.add(Agents{1}, [](ActiveChunk&, std::size_t, std::size_t) {});
   const Agents stale = line.stale();
-  EXPECT_EQ(stale.size(), Line::count - 2);
+  EXPECT_EQ(stale.size(), CellRow::count - 2);
   for (const Index i : {1, 4}) EXPECT_EQ(std::ranges::count(stale, i), 0) << i;
   EXPECT_FALSE(line.forces->isFree(4));
   EXPECT_TRUE(line.forces->isFree(1));
@@ -191,7 +191,7 @@ TEST(ForceCache, FollowsAgentsThatMoveFartherThanTheSkin) {
 }
 
 TEST(ForceCache, NamesTheAgentOnWhichTheForceIsNotFinite) {
-  Line line;
+  CellRow line;
   line.agents.radius[3] = 1e200;
   EXPECT_THROW(
       {

@@ -208,6 +208,15 @@ TEST_F(SceneChecksTest, ValuesThatDefeatEachOther) {
                 "x.toml:7: 'viscosity' in [flow] is \"casson\"");
   EXPECT_NE(finding(casson + "zeroShearViscosity = \"1e-4 Pa s\"\n").find("it does not thicken"),
             std::string::npos);
+  const std::string beating = vessel + "[flow]\nwaveform = \"coronaryLeft\"\n";
+  EXPECT_EQ(finding(beating), "accepted");
+  EXPECT_STARTS(finding(beating + "backend = \"lbm\"\n"),
+                "x.toml:7: 'waveform' in [flow] makes the flow beat");
+  EXPECT_STARTS(finding(beating + "drive = \"pressureGradient\"\n"),
+                "x.toml:7: 'waveform' in [flow] says how the flow rate beats");
+  EXPECT_EQ(finding(beating + "drive = \"resistance\"\n"), "accepted");
+  EXPECT_STARTS(finding(beating + "crossCheck = \"lbm\"\n"),
+                "x.toml:7: 'waveform' in [flow] makes the flow beat, and");
   const std::string cycle = vessel + "[mechanics]\n[cellCycle]\n[endothelium]\n";  // lines 6 to 8
   EXPECT_EQ(finding(cycle), "accepted");
   EXPECT_STARTS(finding(cycle + "nitricOxideTransition = \"0.1 Pa\"\n"),

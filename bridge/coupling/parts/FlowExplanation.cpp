@@ -3,6 +3,7 @@
 #include "bridge/coupling/FlowForecast.h"
 #include "bridge/coupling/parts/FlowPart.h"
 #include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/WomersleyFlow.h"
 #include "bridge/scene/SceneBiology.h"
 
 namespace restenosis {
@@ -60,6 +61,15 @@ std::vector<PlannedPart> FlowPart::explain(const Scene& scene) {
          fmt::format("blood thins ({}): {:.3g} mPa s at the wall of the undeformed lumen",
                      scene.flow->viscosity,
                      1e3 * scene.flow->density * scene.flow->wallViscosity(scene.vessel.lumenDiameter))});
+  if (const auto beating = scene.flow->beating())
+    parts.push_back(
+        {"beats", true,
+         fmt::format("after each steady flow {} beats of {:.3g} s, Womersley number {:.2g}; cells feel {}",
+                     beating->beats, beating->waveform.period,
+                     WomersleyFlow(beating->waveform, scene.vessel.lumenDiameter / 2,
+                                   scene.flow->wallViscosity(scene.vessel.lumenDiameter))
+                         .womersleyNumber(),
+                     beating->meanStress ? "the mean stress of the last" : "the steady flow's stress")});
   if (const auto distal = scene.flow->distal(scene.vessel.lumenDiameter))
     parts.push_back(
         {"distal resistance", true,

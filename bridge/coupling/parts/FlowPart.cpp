@@ -91,7 +91,8 @@ void FlowPart::requireMeshable(const TriSurface& lumen, const std::filesystem::p
 
 void FlowPart::solve(FlowState& flow, const TriSurface& lumen, const Instant& now) {
   const std::filesystem::path folder = folder_.flowCase(now.time);
-  const FlowConditions conditions = scene_.flow->conditions(scene_.vessel.lumenDiameter);
+  FlowConditions conditions = scene_.flow->conditions(scene_.vessel.lumenDiameter);
+  conditions.beating = scene_.flow->beating();
   const bool asBefore = settings_ == flow.settings;
   // What other settings have left is neither the mesh nor the flow that these would
   if (flow.solves > 0 && asBefore && !flow.fromRest) backend_->startFrom(folder_.flowCase(flow.time));

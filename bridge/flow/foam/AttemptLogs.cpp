@@ -1,5 +1,6 @@
 #include "bridge/flow/foam/AttemptLogs.h"
 
+#include "bridge/flow/foam/FoamBeats.h"
 #include "bridge/flow/foam/FoamLog.h"
 
 namespace restenosis {
@@ -17,6 +18,7 @@ std::map<fs::path, std::string> attemptLogs(const fs::path& caseFolder, std::str
   for (const std::string_view kept : {movedMeshLogs, oGridLogs, firstAttemptLogs, secondAttemptLogs})
     take(caseFolder / kept, kept);
   take(caseFolder, into);
+  take(caseFolder / beatsFolder, into);
   return logs;
 }
 

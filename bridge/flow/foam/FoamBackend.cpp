@@ -8,6 +8,7 @@
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/LumenWidth.h"
 #include "bridge/flow/foam/AttemptLogs.h"
+#include "bridge/flow/foam/FoamBeats.h"
 #include "bridge/flow/foam/FoamLog.h"
 #include "bridge/flow/foam/FoamRun.h"
 #include "bridge/flow/foam/FoamTemplate.h"
@@ -15,6 +16,7 @@
 #include "bridge/flow/foam/LumenCase.h"
 #include "bridge/flow/foam/LumenStl.h"
 #include "bridge/flow/foam/MeshMorph.h"
+#include "bridge/flow/foam/WomersleyProfile.h"
 #include "bridge/system/AtomicFile.h"
 
 namespace restenosis {
@@ -66,6 +68,23 @@ namespace {
 /// A single bad face of a mesh depends on where the cells happen to lie (assumed: cells smaller by that
 /// much).
 constexpr double otherCells = 0.93;
+
+/// Part of the mean velocity that the inlet may miss of Womersley's profile, and of the stress that may
+/// change from one beat to the next, before it is said (assumed).
+constexpr double profileErrorRemark = 0.01, beatChangeRemark = 0.01;
+
+void remarkOnBeats(FlowSolution& solution, const FlowConditions& conditions, double radius) {
+  if (const double error = womersleyProfile(conditions, radius).error; error > profileErrorRemark)
+    solution.remarks.push_back(fmt::format(
+        "the inlet's velocity misses Womersley's profile by {:.2g} % of the mean velocity: the lumen is "
+        "wide, or beats fast, and the profile steep at the wall",
+        100 * error));
+  if (solution.beats.change > beatChangeRemark)
+    solution.remarks.push_back(
+        fmt::format("the stress of the last beat differs from that of the one before by {:.2g} %: more "
+                    "flow.beats are needed",
+                    100 * solution.beats.change));
+}
 
 }  // namespace
 
@@ -200,6 +219,7 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
   std::map<fs::path, std::string> logs;
   if (!how.keepLogsIn.empty()) logs = attemptLogs(folder, how.keepLogsIn);
   copyFoamTemplate(foamTemplate(), folder);
+  if (!conditions.beating) fs::remove_all(folder / beatsFolder);
   for (const auto& [file, text] : logs) {
     fs::create_directories((folder / file).parent_path());
     atomicWrite(folder / file, text);
@@ -236,6 +256,7 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
     }
     run.solve(start ? &*start : nullptr);
     FlowSolution solution = run.result();
+    if (conditions.beating) solveBeats(folder, conditions, settings, execution_, solution);
     if (moved) takeRegions(solution.wall, surface);
     const bool profiled = conditions.drive == FlowConditions::Drive::flowRate;
     if (profiled && lumen.profile.rimError > rimErrorRemark)
@@ -243,6 +264,7 @@ FlowSolution FoamBackend::attempt(const fs::path& folder, const TriSurface& surf
           fmt::format("the inlet's velocity profile misses zero on its rim by {:.2g} % of that well inside: "
                       "the inlet's shape is far from round",
                       100.0 * lumen.profile.rimError));
+    if (conditions.beating) remarkOnBeats(solution, conditions, lumen.profile.radius);
     return solution;
   } catch (const FlowFailed&) {
     throw;

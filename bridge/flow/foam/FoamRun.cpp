@@ -4,11 +4,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <numbers>
 
 #include "bridge/flow/foam/FoamLog.h"
-#include "bridge/flow/foam/FoamRequirements.h"
 #include "bridge/flow/foam/MeshMorph.h"
 #include "bridge/flow/foam/OGrid.h"
 #include "bridge/flow/foam/WallPatch.h"
@@ -47,92 +45,41 @@ OGridSize oGridSize(const LumenCase& lumen, const FoamSettings& settings) {
 }
 }  // namespace
 
-FoamStepFailed::FoamStepFailed(std::string what, fs::path logFile)
-    : FlowFailed(fmt::format("{} (see {})", what, logFile.string()), logFile), problem(std::move(what)) {}
-
-std::string FoamStepFailed::withLogIn(const fs::path& folder) const {
-  return fmt::format("{} (see {})", problem, (folder / log.filename()).string());
-}
-
 FoamRun::FoamRun(fs::path folder, const LumenCase& lumen, const FlowConditions& conditions,
                  const FoamSettings& settings, const FoamExecution& execution)
     : folder_(std::move(folder)),
       lumen_(lumen),
       conditions_(conditions),
       settings_(settings),
-      execution_(execution) {}
+      execution_(execution),
+      steps_(folder_, execution) {}
 
-void FoamRun::fail(const std::string& program, const std::string& reason) const {
-  requireRoomAfter(program);
-  throw FoamStepFailed(fmt::format("{}: {}", program, reason), log(program));
-}
-
-void FoamRun::requireRoomAfter(const std::string& program) const {
-  try {
-    requireRoom(folder_);
-  } catch (const WriteFailed& full) {
-    throw WriteFailed(fmt::format("{} failed: {}", program, full.what()));
-  }
-}
-
-void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments, On on) {
-  ProgramExit exit;
-  try {
-    const auto start = on == On::allRanks ? runFoamOnRanks : runFoam;
-    exit = start(program, arguments, execution_, folder_, log(program));
-  } catch (const ProgramMissing& missing) {
-    throw FlowFailed(missingProgramText(missing.program), {});
-  } catch (const std::runtime_error& error) {
-    requireRoomAfter(program);
-    throw FlowFailed(fmt::format("{}: {}", program, error.what()), {});  // not started: there is no log
-  }
-  (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) += exit.seconds;
-  if (exit.interrupted())
-    throw FlowFailed(fmt::format("{} was interrupted: {}", program, exit.describe()), log(program));
-  if (exit.silent)
-    throw FlowFailed(fmt::format("{} hangs: its log has not grown for {:.4g} min (foam.silenceLimit), so it "
-                                 "was ended",
-                                 program, execution_.silenceLimit->count() / 60),
-                     log(program));
-  if (exit.signal == SIGKILL) {
-    requireRoomAfter(program);
-    throw FlowFailed(fmt::format("{} was killed from outside, or by the system because memory ran out: {}",
-                                 program, exit.describe()),
-                     log(program));
-  }
-  if (exit.succeeded()) return;
-  const auto reason = foamLog::fatalError(foamLog::read(log(program)));
-  fail(program, reason ? fmt::format("{}: {}", exit.describe(), *reason) : exit.describe());
-}
-
-std::vector<fs::path> FoamRun::parts() const {
-  if (!execution_.parallel()) return {folder_};
-  std::vector<fs::path> folders;
-  for (int rank = 0; rank < execution_.ranks; ++rank)
-    folders.push_back(folder_ / fmt::format("processor{}", rank));
-  return folders;
+void FoamRun::run(const std::string& program, const std::vector<std::string>& arguments, FoamSteps::On on) {
+  (program == "simpleFoam" ? solution_.solveSeconds : solution_.meshSeconds) +=
+      steps_.run(program, arguments, on);
 }
 
 void FoamRun::mesh() {
-  run("blockMesh", {}, On::oneProcess);
-  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
-  run("snappyHexMesh", {"-overwrite"}, On::allRanks);
-  if (const auto problem = foamLog::meshingProblem(foamLog::read(log("snappyHexMesh"))))
-    fail("snappyHexMesh", *problem);
+  run("blockMesh", {}, FoamSteps::On::oneProcess);
+  if (execution_.parallel()) run("decomposePar", {}, FoamSteps::On::oneProcess);
+  run("snappyHexMesh", {"-overwrite"}, FoamSteps::On::allRanks);
+  if (const auto problem = foamLog::meshingProblem(foamLog::read(steps_.log("snappyHexMesh"))))
+    steps_.fail("snappyHexMesh", *problem);
   checkPatches();
   checkMesh();
 }
 
 double FoamRun::checkMesh() {
-  run("checkMesh", {}, On::allRanks);
-  const auto report = foamLog::meshReport(foamLog::read(log("checkMesh")));
+  run("checkMesh", {}, FoamSteps::On::allRanks);
+  const auto report = foamLog::meshReport(foamLog::read(steps_.log("checkMesh")));
   const double volume = report.volume;
   if (!(std::abs(volume - lumen_.volume) <= settings_.volumeTolerance * lumen_.volume))
-    fail("checkMesh",
-         fmt::format(
-             "the mesh's volume of {:.5g} mm^3 is not the surface's of {:.5g} mm^3: part of the lumen is "
-             "cut off, the surface leaks, or the cells are too large for so narrow a lumen",
-             volume / cubicMillimetre, lumen_.volume / cubicMillimetre));
+    steps_.fail(
+        "checkMesh",
+        fmt::format(
+            "the mesh's volume of {:.5g} mm^3 is not the surface's of {:.5g} mm^3: part of the lumen is "
+            "cut off, the surface leaks, or the cells are too large for so narrow a lumen",
+            volume / cubicMillimetre, lumen_.volume / cubicMillimetre));
   // A few skew faces cost accuracy beside them alone; whether the solution suffered is checked after it.
   const bool fewSkewFaces = report.skewFaces > 0 &&
                             report.skewFaces <= static_cast<std::size_t>(settings_.skewFaces) &&
@@ -141,7 +88,7 @@ double FoamRun::checkMesh() {
     solution_.remarks.push_back(fmt::format("the mesh has highly skew faces: {}, of a skewness up to {:.3g}",
                                             report.skewFaces, report.skewness));
   } else if (!report.ok) {
-    fail("checkMesh", report.problem);
+    steps_.fail("checkMesh", report.problem);
   }
   checkEnds();
   solution_.cells = report.cells;
@@ -150,17 +97,18 @@ double FoamRun::checkMesh() {
 
 void FoamRun::checkEnds() {
   std::vector<PolyMesh> meshes;
-  for (const auto& part : parts()) meshes.push_back(readPolyMesh(part));
+  for (const auto& part : steps_.parts()) meshes.push_back(readPolyMesh(part));
   for (const auto& [name, end] : {std::pair{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}}) {
     double area = 0.0;
     for (const PolyMesh& mesh : meshes) area += mesh.patchArea(name);
     const double cutCorners = cornersCut * settings_.wallCell() * end->perimeter;
     const double tolerance = settings_.endAreaTolerance * end->area;
     if (area > end->area + tolerance || !(area >= end->area - tolerance - cutCorners))
-      fail("checkMesh",
-           fmt::format("the mesh's {} of {:.4g} mm^2 is not the surface's of {:.4g} mm^2: cells of another "
-                       "part of the lumen were taken for it, or its own for the wall",
-                       name, area / squareMillimetre, end->area / squareMillimetre));
+      steps_.fail(
+          "checkMesh",
+          fmt::format("the mesh's {} of {:.4g} mm^2 is not the surface's of {:.4g} mm^2: cells of another "
+                      "part of the lumen were taken for it, or its own for the wall",
+                      name, area / squareMillimetre, end->area / squareMillimetre));
   }
 }
 
@@ -195,7 +143,7 @@ std::vector<Vec3> FoamRun::morph(const PolyMesh& former, const fs::path& formerC
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   solution_.meshSeconds += seconds.count();
-  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
+  if (execution_.parallel()) run("decomposePar", {}, FoamSteps::On::oneProcess);
   if (const double angle = checkMesh(); !(angle <= settings_.morphNonOrthogonality))
     throw MeshRefused(
         "the moved mesh is too non-orthogonal",
@@ -216,30 +164,31 @@ void FoamRun::layOGrid(const TriSurface& surface) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   solution_.meshSeconds += seconds.count();
-  if (execution_.parallel()) run("decomposePar", {}, On::oneProcess);
+  if (execution_.parallel()) run("decomposePar", {}, FoamSteps::On::oneProcess);
   checkMesh();
 }
 
 void FoamRun::checkPatches() {
   std::map<std::string, std::size_t> faces;
-  for (const auto& part : parts())
+  for (const auto& part : steps_.parts())
     for (const auto& [patch, count] : foamLog::patchFaces(foamLog::read(part / "constant/polyMesh/boundary")))
       faces[patch] += count;
   if (faces["sides"] > 0)
-    fail("snappyHexMesh",
-         fmt::format("the lumen surface leaks: {} faces of the mesh lie outside of it", faces["sides"]));
+    steps_.fail(
+        "snappyHexMesh",
+        fmt::format("the lumen surface leaks: {} faces of the mesh lie outside of it", faces["sides"]));
   if (faces["outlet"] == 0 || faces["inlet"] == 0)
     throw FlowFailed(
         fmt::format("snappyHexMesh: the mesh does not reach the {}: the lumen is closed (occluded) "
                     "(see {})",
-                    faces["outlet"] == 0 ? "outlet" : "inlet", log("snappyHexMesh").string()),
-        log("snappyHexMesh"));
-  if (faces["wall"] == 0) fail("snappyHexMesh", "the mesh has no faces on the wall");
+                    faces["outlet"] == 0 ? "outlet" : "inlet", steps_.log("snappyHexMesh").string()),
+        steps_.log("snappyHexMesh"));
+  if (faces["wall"] == 0) steps_.fail("snappyHexMesh", "the mesh has no faces on the wall");
   meshHasStruts_ = faces["strut"] > 0;
   if (!lumen_.hasStruts() || meshHasStruts_) return;
   const double seen = lumen_.strutArea / (settings_.strutCell() * settings_.strutCell());
   if (seen > mostFacesOfLostStruts)
-    fail(
+    steps_.fail(
         "snappyHexMesh",
         "the mesh has no faces on the struts: its cells are too large for what is left of them in the lumen; "
         "choose a finer scene.fidelity, or a higher strutLevel in [foam]");
@@ -250,14 +199,14 @@ void FoamRun::checkPatches() {
 
 void FoamRun::solve(const FoamStart* start) {
   fs::remove_all(folder_ / "postProcessing");
-  for (const auto& part : parts()) {
+  for (const auto& part : steps_.parts()) {
     fs::remove_all(part / "0");
     fs::copy(folder_ / "0.orig", part / "0", fs::copy_options::recursive);
     if (start != nullptr) start->write(part);
   }
-  run("simpleFoam", {}, On::allRanks);
-  const auto iterations = foamLog::convergedAfter(foamLog::read(log("simpleFoam")));
-  if (!iterations) fail("simpleFoam", "the solution has not converged within the iterations allowed");
+  run("simpleFoam", {}, FoamSteps::On::allRanks);
+  const auto iterations = foamLog::convergedAfter(foamLog::read(steps_.log("simpleFoam")));
+  if (!iterations) steps_.fail("simpleFoam", "the solution has not converged within the iterations allowed");
   solution_.iterations = *iterations;
   checkFlow();
   readWall();
@@ -268,30 +217,33 @@ double FoamRun::reported(const std::string& function) const {
   const auto file = folder_ / "postProcessing" / function / "0/surfaceFieldValue.dat";
   const auto value = foamLog::lastValue(foamLog::read(file));
   if (!value || !std::isfinite(*value))
-    fail("simpleFoam", fmt::format("no valid number in {}", file.string()));
+    steps_.fail("simpleFoam", fmt::format("no valid number in {}", file.string()));
   return *value;
 }
 
 void FoamRun::checkFlow() {
   const double in = -reported("inletFlow"), out = reported("outletFlow");
-  if (!(in > 0.0)) fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
+  if (!(in > 0.0))
+    steps_.fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
   solution_.flowRate = in;
   solution_.massImbalance = std::abs(out - in) / in;
   if (!(solution_.massImbalance <= settings_.massTolerance))
-    fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in but {:.4g} out", in, out));
+    steps_.fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in but {:.4g} out", in, out));
   if (conditions_.drive == FlowConditions::Drive::flowRate &&
       !(std::abs(in - conditions_.flowRate) <= settings_.massTolerance * conditions_.flowRate))
-    fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in instead of {:.4g}", in, conditions_.flowRate));
+    steps_.fail("simpleFoam",
+                fmt::format("{:.4g} m^3/s flow in instead of {:.4g}", in, conditions_.flowRate));
   solution_.pressureDrop = (reported("inletPressure") - reported("outletPressure")) * conditions_.density;
   // Blood that slows down in a wider outlet regains pressure: at most the kinetic energy that a parabolic
   // profile brings in (docs/model/flow.md)
   const double velocity = in / lumen_.inlet.area;
   const double mostRegained = conditions_.density * velocity * velocity;
   if (!(solution_.pressureDrop > -mostRegained))
-    fail("simpleFoam",
-         fmt::format("the pressure rises along the flow, by {:.4g} Pa, more than blood that slows down can "
-                     "regain ({:.4g} Pa)",
-                     -solution_.pressureDrop, mostRegained));
+    steps_.fail(
+        "simpleFoam",
+        fmt::format("the pressure rises along the flow, by {:.4g} Pa, more than blood that slows down can "
+                    "regain ({:.4g} Pa)",
+                    -solution_.pressureDrop, mostRegained));
 }
 
 void FoamRun::readWall() {
@@ -302,15 +254,15 @@ void FoamRun::readWall() {
     if (meshHasStruts_)
       appendWallPatch(samples / "strut.vtp", SurfaceRegion::strut, conditions_.density, solution_.wall);
   } catch (const std::runtime_error& error) {
-    fail("simpleFoam", error.what());
+    steps_.fail("simpleFoam", error.what());
   }
 }
 
 void FoamRun::putTogether() {
-  run("reconstructParMesh", {"-constant"}, On::oneProcess);
-  run("reconstructPar", {"-latestTime"}, On::oneProcess);
+  run("reconstructParMesh", {"-constant"}, FoamSteps::On::oneProcess);
+  run("reconstructPar", {"-latestTime"}, FoamSteps::On::oneProcess);
   fs::copy(folder_ / "0.orig", folder_ / "0", fs::copy_options::recursive);
-  for (const auto& part : parts()) fs::remove_all(part);
+  for (const auto& part : steps_.parts()) fs::remove_all(part);
 }
 
 }  // namespace restenosis

@@ -7,18 +7,10 @@
 #include "bridge/flow/foam/FoamExecution.h"
 #include "bridge/flow/foam/FoamSettings.h"
 #include "bridge/flow/foam/FoamStart.h"
+#include "bridge/flow/foam/FoamSteps.h"
 #include "bridge/flow/foam/LumenCase.h"
 
 namespace restenosis {
-
-/// A step that failed in a way that another attempt may mend.
-struct FoamStepFailed : FlowFailed {
-  FoamStepFailed(std::string what, std::filesystem::path logFile);
-  /// What failed, naming its log in the folder that another attempt keeps it in.
-  std::string withLogIn(const std::filesystem::path& folder) const;
-
-  std::string problem;  ///< without the log
-};
 
 /// A mesh that cannot be moved or laid onto the lumen; `reason` is a category, without numbers, that can be
 /// counted.
@@ -51,14 +43,7 @@ class FoamRun {
   FlowSolution result() const { return solution_; }
 
  private:
-  enum class On { oneProcess, allRanks };
-  void run(const std::string& program, const std::vector<std::string>& arguments, On on);
-  /// The folders with the mesh and the fields: those of the ranks, or the case itself.
-  std::vector<std::filesystem::path> parts() const;
-  std::filesystem::path log(const std::string& program) const { return folder_ / ("log." + program); }
-  /// Throws FoamStepFailed, or WriteFailed where there is no room left, which may be why.
-  [[noreturn]] void fail(const std::string& program, const std::string& reason) const;
-  void requireRoomAfter(const std::string& program) const;
+  void run(const std::string& program, const std::vector<std::string>& arguments, FoamSteps::On on);
   void checkPatches();
   /// The mesh's largest non-orthogonality [degrees].
   double checkMesh();
@@ -74,6 +59,7 @@ class FoamRun {
   const FlowConditions& conditions_;
   const FoamSettings& settings_;
   const FoamExecution& execution_;
+  FoamSteps steps_;
   FlowSolution solution_;
   bool meshHasStruts_ = false;
 };

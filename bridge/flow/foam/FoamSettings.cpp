@@ -151,6 +151,16 @@ void FoamSettings::describe(ParameterVisitor& p) {
                                   .minimum = 1,
                                   .source = "assumed",
                                   .description = "fewest core cells across the inlet before the run"});
+  p.integer(beatSteps, {.key = "beatSteps",
+                        .minimum = 20,
+                        .maximum = 100000,
+                        .source = "docs/results/beats.md",
+                        .description = "time steps of a beat, with flow.waveform"});
+  p.integer(beatCorrectors, {.key = "beatCorrectors",
+                             .minimum = 1,
+                             .maximum = 100,
+                             .source = "docs/results/beats.md",
+                             .description = "corrections of velocity and pressure in such a step"});
   p.quantity(
       silenceLimit,
       {.key = "silenceLimit",

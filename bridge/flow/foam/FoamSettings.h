@@ -39,6 +39,8 @@ struct FoamSettings {
   double morphNonOrthogonality = 65;  ///< largest of a moved mesh [degrees]
   double maximumCells = 6e6;          ///< estimate above which meshing is refused
   double minimumCellsAcross = 8;      ///< fewest core cells across the inlet before the run
+  std::int64_t beatSteps = 100;       ///< time steps of a beat
+  std::int64_t beatCorrectors = 2;    ///< PIMPLE's outer corrections of such a step
   double silenceLimit = 1800;         ///< a program whose log has not grown for so long hangs [s]
 
   bool operator==(const FoamSettings&) const = default;

@@ -21,6 +21,7 @@ const fs::path mark = "system/lumenParameters";
 /// What a case is copied from.
 constexpr std::array parts = {"0.orig",
                               "system",
+                              "beats",
                               "constant/transportProperties",
                               "constant/turbulenceProperties",
                               "Allrun",

@@ -12,9 +12,12 @@
 #include <utility>
 
 #include "bridge/flow/EndClearance.h"
+#include "bridge/flow/TubeFlow.h"
+#include "bridge/flow/foam/BeatSteps.h"
 #include "bridge/flow/foam/CellEstimate.h"
 #include "bridge/flow/foam/InsidePoint.h"
-#include "bridge/flow/foam/ThinningProfile.h"
+#include "bridge/flow/foam/PowersOfW.h"
+#include "bridge/flow/foam/WomersleyProfile.h"
 #include "tissue/parameters/LengthUnits.h"
 
 namespace restenosis {
@@ -139,11 +142,31 @@ void writeInlet(DictionaryText& parameters, const InletProfile& profile, const F
   std::string thinned = "w";
   if (conditions.thinning && conditions.drive == FlowConditions::Drive::flowRate) {
     peak = profile.peak();
-    thinned = thinningProfile(TubeFlow::ofFlowRate(*conditions.thinning, conditions.flowRate, profile.radius),
-                              profile.radius);
+    const auto flow = TubeFlow::ofFlowRate(*conditions.thinning, conditions.flowRate, profile.radius);
+    thinned = PowersOfW([&](double share) {
+                return flow.velocity(share * profile.radius) / flow.velocity(0);
+              }).expression();
   }
   setInExpression(parameters, "inletPeak", peak);
   parameters.set("inletProfile", fmt::format("\"{}\"", thinned));
+}
+
+/// Beats after the steady flow, with the inlet of a circle of its area.
+void writeBeats(DictionaryText& parameters, double radius, const FlowConditions& conditions,
+                const FoamSettings& settings) {
+  if (!conditions.beating) return;
+  const int beats = conditions.beating->beats;
+  const BeatSteps steps(conditions.beating->waveform.period, beats, settings);
+  parameters.set("beats", std::to_string(beats));
+  parameters.set("beatsEnd", steps.end);
+  parameters.set("beatStep", steps.step);
+  parameters.set("sampleFrom", steps.sampleFrom);
+  parameters.set("sampleSteps", std::to_string(steps.sampleSteps));
+  parameters.set("outerCorrectors", std::to_string(settings.beatCorrectors));
+  const WomersleyProfile profile = womersleyProfile(conditions, radius);
+  for (std::size_t n = 0; n < profile.velocities.size(); ++n)
+    parameters.set(fmt::format("womersley{}", n + 1), fmt::format("\"{}\"", profile.velocities[n]));
+  parameters.set("womersleyFlow", fmt::format("\"{}\"", profile.flowRate));
 }
 
 void writeBlock(DictionaryText& parameters, const LumenCase& lumen) {
@@ -235,6 +258,7 @@ void writeLumenParameters(DictionaryText& parameters, const LumenCase& lumen,
   const bool robust = effort == Effort::robust;
   writeFlow(parameters, lumen, conditions);
   writeInlet(parameters, lumen.profile, conditions);
+  writeBeats(parameters, lumen.profile.radius, conditions, settings);
   writeBlock(parameters, lumen);
   writeMesh(parameters, lumen, settings, robust);
   writeSolver(parameters, conditions.drive == FlowConditions::Drive::flowRate, settings, robust);

@@ -44,8 +44,12 @@ Polygon polygon(vtkPolyData& patch, const vtkIdType* ids, vtkIdType count) {
 
 }  // namespace
 
-void appendWallPatch(const std::filesystem::path& file, SurfaceRegion region, double density,
-                     std::vector<WallFace>& faces) {
+Vec3 PatchFace::traction(double density, const Vec3& wallShearStress) const {
+  const Vec3 normal = areaVector.normalized(), whole = -density * wallShearStress;
+  return whole - whole.dot(normal) * normal;
+}
+
+std::vector<PatchFace> readWallPatch(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) throw std::runtime_error(fmt::format("{} is missing", file.string()));
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
@@ -58,20 +62,25 @@ void appendWallPatch(const std::filesystem::path& file, SurfaceRegion region, do
   if (!stress || stress->GetNumberOfComponents() != 3 || stress->GetNumberOfTuples() != count)
     throw std::runtime_error(fmt::format("{} has no face field {}", file.string(), field));
 
-  faces.reserve(faces.size() + count);
+  std::vector<PatchFace> faces(count);
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < count; ++i) {
     patch.GetCellPoints(i, ids);
     const Polygon face = polygon(patch, ids->GetPointer(0), ids->GetNumberOfIds());
+    faces[i] = {face.centre, face.areaVector, {}};
+    stress->GetTuple(i, faces[i].shearStress.data());
+    if (!faces[i].shearStress.allFinite())
+      throw std::runtime_error(fmt::format("{} has a stress that is not finite", file.string()));
+  }
+  return faces;
+}
+
+void appendWallPatch(const std::filesystem::path& file, SurfaceRegion region, double density,
+                     std::vector<WallFace>& faces) {
+  for (const PatchFace& face : readWallPatch(file)) {
     const double area = face.areaVector.norm();
     if (!(area > 0.0)) continue;
-    Vec3 value;
-    stress->GetTuple(i, value.data());
-    if (!value.allFinite())
-      throw std::runtime_error(fmt::format("{} has a stress that is not finite", file.string()));
-    const Vec3 normal = face.areaVector / area;
-    const Vec3 traction = -density * value;
-    faces.push_back({face.centre, area, traction - traction.dot(normal) * normal, region});
+    faces.push_back({face.centre, area, face.traction(density, face.shearStress), region});
   }
 }
 

@@ -5,7 +5,7 @@
     /usr/bin/python3 -I -B bridge/output/figures --animation RESULTS
 
 Writes vessel.png, growth.png, section.png, lumen.png and lumen3d.png, of a lumen from a file without tissue only the
-last, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
+last, beats.png where the flow beats, crossCheck.png where the flow was cross-checked, beside what they are drawn from, and report.html, one page with
 all of it; growth, section and lumen as PDF too; view.pvsm is the same for ParaView. In the folder of a comparison it writes compareMaps.png and
 compareScatter.png; in that of a sweep, tradeoff.png. With a PICTURE only that; with --page the page alone, of one run or of
 several runs and studies side by side; with --animation vessel.png day by day, animation.gif. Needs Debian's python3-matplotlib and
@@ -30,6 +30,7 @@ PICTURES = {
     "growth.png": ("growth", "draw"),
     "lumen.png": ("lumen", "draw"),
     "section.png": ("section", "draw"),
+    "beats.png": ("beats", "draw"),
     "crossCheck.png": ("cross_check", "draw"),
     "compareMaps.png": ("compare", "draw_maps"),
     "compareScatter.png": ("compare", "draw_scatter"),

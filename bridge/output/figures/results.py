@@ -114,10 +114,15 @@ def agents(path):
 
 
 def lumen(path):
-    """Of a lumen file: vertices (n, 3) [m], triangles (m, 3), WSS [Pa] and region of each triangle."""
+    """Of a lumen file: vertices (n, 3) [m], triangles (m, 3), WSS [Pa] and region of each triangle.
+
+    Of a flow that beats also TAWSS, OSI, RRT and transWSS.
+    """
     data = poly_data(path)
     cells = data.GetCellData()
+    beats = [name for name in ("TAWSS", "OSI", "RRT", "transWSS") if cells.HasArray(name)]
     return {
+        **{name: vtk_to_numpy(cells.GetArray(name)).astype(float) for name in beats},
         "vertices": vtk_to_numpy(data.GetPoints().GetData()).astype(float),
         "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
         "WSS": vtk_to_numpy(cells.GetArray("WSS")).astype(float),

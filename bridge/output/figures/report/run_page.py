@@ -13,6 +13,8 @@ PICTURES = {
     "section.png": "The wall where new tissue is thickest, on the first and the last day in the same frame: across (A), "
     "enlarged (B) and along the vessel (C). The line is that of the inner elastic lamina, which goes on where it is "
     "injured.",
+    "beats.png": "The stress over the last beat of the last flow: its mean size (A), how far it goes to and fro (B), how "
+    "long blood stays at the wall (C), and what acts across the flow (D).",
     "crossCheck.png": "Wall shear stress by another method against the run's own, and what it would have decided.",
 }
 PARTS = {
