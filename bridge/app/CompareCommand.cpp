@@ -130,7 +130,8 @@ int compare(const Scene& scene, const CompareArguments& arguments, const fs::pat
   };
   const SolvedFlow reference = solve(flowBackendNames::foam), other = solve(flowBackendNames::lbm);
 
-  const FlowComparison result = compareFlows(lumen.surface, lines, reference, other, strutMiddles(scene));
+  const FlowComparison result =
+      compareFlows(lumen.surface, lines, reference, other, strutMiddles(scene, lumen.alongZ));
   const ComparedCase what{scene.name, scene.scene.fidelity, lumen.day, lbm.dx, lumen.bent, lumen.alongZ};
   writeComparisonJson(folder / "compare.json", what, result, reference, other);
   writeComparisonSurface(folder / "compare.vtp", lumen.surface, result, reference, other, what);

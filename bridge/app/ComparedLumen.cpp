@@ -13,6 +13,7 @@
 #include "bridge/scene/Units.h"
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/SceneStent.h"
+#include "bridge/surface/VesselAxis.h"
 #include "bridge/system/AtomicFile.h"
 #include "bridge/system/PrintableOutput.h"
 
@@ -49,16 +50,22 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
   Run run(deployment, results, progress, {.threads = threads, .stopRequested = stopRequested});
   run.go();
   progress.finish();
-  return {readLumen(recordedLumens(folder).front().file), 0.0};
+  const std::filesystem::path file = recordedLumens(folder).front().file;
+  TriSurface lumen = readLumen(file);
+  if (scene.vessel.isBent()) return laidOfDay(lumen, 0.0, file);
+  return {std::move(lumen), 0.0};
 }
 
 ComparedLumen loadedLumen(const Scene& scene) {
   return laidOfDay(loadLumen(scene.vessel), 0.0, scene.vessel.lumenSurface);
 }
 
-std::vector<Vec3> strutMiddles(const Scene& scene) {
+std::vector<Vec3> strutMiddles(const Scene& scene, const Eigen::Isometry3d& alongZ) {
   if (!scene.stent) return {};
-  return makeStent(*scene.stent, scene.vessel).movedOutwards(scene.stent->deploymentDepth).middles();
+  auto middles = makeStent(*scene.stent, scene.vessel).movedOutwards(scene.stent->deploymentDepth).middles();
+  if (const auto axis = vesselAxis(scene.vessel))
+    for (Vec3& middle : middles) middle = alongZ * axis->toBent(middle);
+  return middles;
 }
 
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day) {

@@ -33,9 +33,9 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 /// The lumen that a scene loads from a file. Throws LumenRefused where it is none.
 ComparedLumen loadedLumen(const Scene& scene);
 
-/// Places on the middles of a scene's struts where they stand after deployment, close to each other; none
-/// without a stent.
-std::vector<Vec3> strutMiddles(const Scene& scene);
+/// Places on the middles of a scene's struts where they stand after deployment, close to each other, in a
+/// lumen laid by `alongZ`; none without a stent.
+std::vector<Vec3> strutMiddles(const Scene& scene, const Eigen::Isometry3d& alongZ);
 
 /// The lumen that a run has recorded nearest to a day, the last one without. Throws LumenRefused.
 ComparedLumen finishedLumen(const std::filesystem::path& results, std::optional<double> day);

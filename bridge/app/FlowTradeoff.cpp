@@ -71,7 +71,7 @@ std::vector<TradeoffRow> flowTradeoff(const SceneArguments& arguments, const std
                                                      : deployedLumen(scene, folder / "deployment",
                                                                      options.threads, options.stopRequested);
   const FlowConditions conditions = scene.flow->conditions(scene.vessel.lumenDiameter);
-  const std::vector<Vec3> struts = strutMiddles(scene);
+  const std::vector<Vec3> struts = strutMiddles(scene, lumen.alongZ);
   const bool exact = obeysPoiseuille(scene);
   std::vector<TradeoffRow> rows;
   std::optional<SolvedFlow> reference;

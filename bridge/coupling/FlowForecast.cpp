@@ -32,6 +32,7 @@ std::string noFlowBecause(const Scene& scene, const ArrestRules& rules) {
 
 bool obeysPoiseuille(const Scene& scene) {
   return !scene.hasTissue() && scene.vessel.stenosis == 0 && scene.vessel.lumenSurface.empty() &&
+         !scene.vessel.isBent() && !scene.flow->isBeating() &&
          scene.flow->keeps() == FlowConditions::Drive::flowRate &&
          !scene.flow->distal(scene.vessel.lumenDiameter);
 }

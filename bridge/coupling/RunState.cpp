@@ -10,6 +10,7 @@ RunState::RunState(const Scene& s, const ResultsFolder& f, Progress& p)
       folder(f),
       progress(p),
       quantities(emptyWall(s.vessel)),
+      axis(vesselAxis(s.vessel)),
       extraction(scene, quantities.wall, stent, timer),
       biology(biologySettings(s)) {
   biology.model(quantities.wall.agents);

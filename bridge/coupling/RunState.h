@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "bridge/output/Progress.h"
 #include "bridge/output/ResultsFolder.h"
 #include "bridge/scene/Scene.h"
+#include "bridge/surface/VesselAxis.h"
 #include "tissue/biology/Biology.h"
 #include "tissue/stent/DeploymentStatistics.h"
 #include "tissue/stent/Injury.h"
@@ -45,6 +47,7 @@ struct RunState {
   PartTimer timer;
 
   Quantities quantities;
+  std::shared_ptr<const Centreline> axis;  ///< of a bent vessel; all else here is of the straight one
   std::optional<Stent> stent;  ///< where it stands after deployment
   LumenExtraction extraction;
   Biology biology;

@@ -1,10 +1,24 @@
 #include "bridge/coupling/SceneFlow.h"
 
+#include <cmath>
 #include <utility>
 
+#include "bridge/flow/BentVessel.h"
+#include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/LumenFrame.h"
+#include "bridge/flow/StraightEnds.h"
+#include "bridge/surface/VesselAxis.h"
 
 namespace restenosis {
+
+namespace {
+
+/// How far a chord of the bend may be from its arc [m] (assumed: a fraction of a cell).
+constexpr double sagitta = 1e-6;
+
+double chordOf(double radius) { return std::sqrt(8 * radius * sagitta); }
+
+}  // namespace
 
 FlowBackendOptions flowBackendOptions(const PartContext& context) {
   const Scene& scene = context.run.scene;
@@ -20,8 +34,19 @@ FlowBackendOptions flowBackendOptions(const PartContext& context) {
 
 std::unique_ptr<FlowBackend> flowBackendFor(const Scene& scene, std::string_view name,
                                             const FlowBackendOptions& options) {
-  auto backend = makeFlowBackend(name, options);
-  if (backend && scene.hasLoadedLumen()) backend = std::make_unique<AnyDirection>(std::move(backend));
+  // The analytic one reads radii about the axis, which a bent vessel keeps
+  auto axis = name == flowBackendNames::analytic ? nullptr : vesselAxis(scene.vessel, options.straightEnds);
+  FlowBackendOptions own = options;
+  if (axis) own.straightEnds = 0;
+  auto backend = makeFlowBackend(name, own);
+  if (!backend) return backend;
+  if (scene.hasLoadedLumen() || axis) backend = std::make_unique<AnyDirection>(std::move(backend));
+  if (axis) backend = std::make_unique<BentVessel>(std::move(backend), std::move(axis));
+  // They go on along the bend
+  if (own.straightEnds < options.straightEnds)
+    backend = std::make_unique<StraightEnds>(
+        std::move(backend), options.straightEnds,
+        static_cast<int>(std::ceil(options.straightEnds / chordOf(scene.vessel.curvatureRadius))));
   return backend;
 }
 

@@ -28,6 +28,16 @@ std::string explainWall(const Scene& scene) {
   return "packed once, then relaxed";
 }
 
+std::string explainBend(const Scene& scene) {
+  const VesselParameters& vessel = scene.vessel;
+  std::string text = fmt::format("the axis lies on an arc of {:g} mm", 1e3 * vessel.curvatureRadius);
+  if (scene.hasTissue())
+    text +=
+        fmt::format("; tissue grows as about a straight one: distances along the outer wall are {:.2g} % off",
+                    100 * (vessel.lumenDiameter / 2 + vessel.wallThickness) / vessel.curvatureRadius);
+  return text;
+}
+
 std::string explainDeployment(const Scene& scene) {
   if (!scene.stent) return "no [stent]";
   return fmt::format("{} steps to {:g} um, the wall relaxing after each", scene.stent->deploymentSteps,
@@ -37,10 +47,13 @@ std::string explainDeployment(const Scene& scene) {
 }  // namespace
 
 std::vector<PlannedPart> WallPreparation::explain(const Scene& scene) {
-  return {{"wall", scene.hasTissue(), explainWall(scene)},
-          {"deployment", scene.stent.has_value(), explainDeployment(scene)},
-          {"injury", scene.injury.has_value(),
-           scene.injury ? "once, after deployment" : "no [injury], so no cell becomes synthetic"}};
+  std::vector<PlannedPart> parts{
+      {"wall", scene.hasTissue(), explainWall(scene)},
+      {"deployment", scene.stent.has_value(), explainDeployment(scene)},
+      {"injury", scene.injury.has_value(),
+       scene.injury ? "once, after deployment" : "no [injury], so no cell becomes synthetic"}};
+  if (scene.vessel.isBent()) parts.insert(parts.begin(), {"bend", true, explainBend(scene)});
+  return parts;
 }
 
 void WallPreparation::makeWall() {

@@ -155,13 +155,15 @@ void FlowParameters::describe(ParameterVisitor& p) {
             .description =
                 "of a beating flow, the stress that cells feel: the mean over the beat (TAWSS), or that of "
                 "steady flow at the mean flow rate"});
-  p.quantity(straightEnds, {.key = "straightEnds",
-                            .unit = "mm",
-                            .minimum = 0,
-                            .maximum = 1000,
-                            .source = "assumed",
-                            .description = "length of straight tube that the flow is solved in before the "
-                                           "lumen's inlet and behind its outlet"});
+  p.quantity(
+      straightEnds,
+      {.key = "straightEnds",
+       .unit = "mm",
+       .minimum = 0,
+       .maximum = 1000,
+       .source = "assumed",
+       .description = "length of straight tube that the flow is solved in before the "
+                      "lumen's inlet and behind its outlet; of a bent vessel they go on along the arc"});
   p.choice(crossCheck, flowBackendNames::crossChecks(),
            {.key = "crossCheck",
             .source = "assumed",

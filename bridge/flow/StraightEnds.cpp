@@ -103,7 +103,8 @@ FlowSolution StraightEnds::solve(const TriSurface& lumen, const FlowConditions& 
   try {
     // Whatever lies between the planes of the ends is out of the way of what goes on from them
     if (!frameAlongZ(lumen)) requireRoomForStraightEnds(lumen, length_);
-    longer = withStraightEnds(lumen, length_);
+    longer = lumen;
+    for (int n = 0; n < rings_; ++n) longer = withStraightEnds(longer, length_ / rings_);
   } catch (const std::invalid_argument& error) {
     throw FlowFailed(error.what(), {});
   }

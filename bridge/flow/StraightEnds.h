@@ -23,13 +23,15 @@ double longestStraightEnds(const TriSurface& lumen, double length);
 /// wall of the solution is the lumen's alone; pressure drop and mesh are those of the whole.
 class StraightEnds : public WrappedBackend {
  public:
-  StraightEnds(std::unique_ptr<FlowBackend> backend, double length)
-      : WrappedBackend(std::move(backend)), length_(length) {}
+  /// `rings` of triangles make each of the ends: several where the surface is bent afterwards.
+  StraightEnds(std::unique_ptr<FlowBackend> backend, double length, int rings = 1)
+      : WrappedBackend(std::move(backend)), length_(length), rings_(rings) {}
   FlowSolution solve(const TriSurface& lumen, const FlowConditions& conditions,
                      const std::filesystem::path& caseFolder) override;
 
  private:
   double length_;  ///< of each straight end [m]
+  int rings_;
 };
 
 }  // namespace restenosis

@@ -32,8 +32,8 @@ struct WaveformError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The series of a curve that is straight from point to point, t = 0 at the first. Times must increase; the last
-/// point is the first one of the next beat. The mean must be positive.
+/// The series of a curve that is straight from point to point, t = 0 at the first. Times must increase; the
+/// last point is the first one of the next beat. The mean must be positive.
 Waveform waveformThrough(std::span<const WaveformPoint> points);
 
 /// How far the series is from the curve: root mean square over the mean flow rate.

@@ -12,8 +12,10 @@
 #include <limits>
 
 #include "bridge/flow/RegionalFaces.h"
+#include "bridge/output/BentPolyData.h"
 #include "bridge/output/PolyDataFile.h"
 #include "bridge/output/SurfacePolyData.h"
+#include "bridge/surface/VesselAxis.h"
 
 namespace restenosis {
 
@@ -82,7 +84,7 @@ void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, Sur
 }  // namespace
 
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
-                double time, const RadialMap* postDeployment) {
+                double time, const RadialMap* postDeployment, const Centreline* axis) {
   const auto triangles = sideTriangles(lumen);
   const auto faces = nearestFaces(lumen, triangles, flow);
   std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(unknown));
@@ -107,8 +109,10 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
       return postDeployment->radiusAt(place(p)) - radius(p);
     });
   }
-  addCentre(*data, "inletCentre", lumen, SurfaceRegion::inlet);
-  addCentre(*data, "outletCentre", lumen, SurfaceRegion::outlet);
+  if (axis != nullptr) bendPolyData(*data, *axis);
+  const TriSurface shown = axis != nullptr ? bentAlong(*axis, lumen) : lumen;
+  addCentre(*data, "inletCentre", shown, SurfaceRegion::inlet);
+  addCentre(*data, "outletCentre", shown, SurfaceRegion::outlet);
   writePolyData(file, data, time);
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "bridge/flow/FlowBackend.h"
+#include "bridge/surface/Centreline.h"
 #include "bridge/surface/RadialMap.h"
 #include "bridge/surface/TriSurface.h"
 
@@ -16,8 +17,9 @@ namespace restenosis {
 ///
 /// A triangle carries the traction of the flow's nearest face of its region (of the other one where the flow
 /// has none), whatever the flow's own faces are; NaN, that is "not known", when `flow` is null or has no
-/// faces. `time` is in s. Throws WriteFailed.
+/// faces. Of a flow that beats there are the arrays TAWSS, OSI, RRT and transWSS, too. All is bent along an
+/// axis that is given (bendPolyData). `time` is in s. Throws WriteFailed.
 void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, const FlowSolution* flow,
-                double time, const RadialMap* postDeployment = nullptr);
+                double time, const RadialMap* postDeployment = nullptr, const Centreline* axis = nullptr);
 
 }  // namespace restenosis

@@ -52,11 +52,12 @@ struct Summary {
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
 /// stateDigest, final (the columns of timeSeries.csv; null where unknown), packing, deployment and injury
 /// (what they did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made
-/// anew by reason; of the last one's beats what they showed, null of steady flow), crossCheck (method, number, time, and the ranges of what it found; null without),
-/// relaxation (iterations during growth, forces computed, the largest residual after the
-/// last one), poiseuille (errors, null where the exact stress is not known), parts (seconds and peak memory),
-/// totalSeconds, remarks, plan (each part: whether it runs, and when or why not), differsFromDefaults (of the
-/// scene), provenance (command, folder, host, time). Throws WriteFailed.
+/// anew by reason; of the last one's beats what they showed, null of steady flow), crossCheck (method,
+/// number, time, and the ranges of what it found; null without), relaxation (iterations during growth, forces
+/// computed, the largest residual after the last one), poiseuille (errors, null where the exact stress is not
+/// known), parts (seconds and peak memory), totalSeconds, remarks, plan (each part: whether it runs, and when
+/// or why not), differsFromDefaults (of the scene), provenance (command, folder, host, time). Throws
+/// WriteFailed.
 void writeSummaryJson(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace restenosis

@@ -12,6 +12,7 @@
 #include <array>
 #include <utility>
 
+#include "bridge/output/BentPolyData.h"
 #include "bridge/output/PolyDataFile.h"
 
 namespace restenosis {
@@ -28,7 +29,8 @@ constexpr std::array<std::pair<const char*, AgentFlag>, 7> flagArrays{{{"fixed",
 
 }  // namespace
 
-void writeTissue(const std::filesystem::path& file, const AgentStore& agents, double time) {
+void writeTissue(const std::filesystem::path& file, const AgentStore& agents, double time,
+                 const Centreline* axis) {
   const Index n = agents.size();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
@@ -73,6 +75,7 @@ void writeTissue(const std::filesystem::path& file, const AgentStore& agents, do
   addArray<vtkUnsignedIntArray>(arrays, "generation", n, 1,
                                 [&](std::size_t i, int) { return agents.generation[i]; });
   addArray<vtkTypeInt64Array>(arrays, "id", n, 1, [&](std::size_t i, int) { return agents.id[i]; });
+  if (axis != nullptr) bendPolyData(*data, *axis);
   writePolyData(file, data, time);
 }
 

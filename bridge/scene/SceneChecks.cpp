@@ -23,6 +23,10 @@ namespace {
 /// Limits that keep a slip of the keyboard from filling a machine: assumed, far beyond any use.
 constexpr double mostAgents = 20e6, mostSteps = 10e6;
 
+/// Of a bent vessel, its outer radius over the radius of curvature at most, by which distances along it
+/// differ from those on its axis, and its angle [rad] (assumed: its ends must not meet).
+constexpr double sharpestBend = 0.25, longestArc = 1.5 * std::numbers::pi;
+
 using Finding = std::optional<std::string>;
 
 /// One rule. `reads` are the keys it looks at, "section" or "section.key"; the first is the one to blame.
@@ -107,6 +111,30 @@ Finding stenosisInTissue(const Scene& s, const Units&) {
 Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
   if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
   return "'stenosis' shapes a cylinder, but the lumen is that of 'lumenSurface'; take one of them out";
+}
+
+Finding bendOfLumenSurface(const Scene& s, const Units&) {
+  if (!s.vessel.isBent() || s.vessel.lumenSurface.empty()) return {};
+  return "'curvatureRadius' bends a vessel with a straight lumen, but the lumen is that of 'lumenSurface'; "
+         "take one "
+         "of them out";
+}
+
+Finding bendTooSharp(const Scene& s, const Units& u) {
+  if (!s.vessel.isBent()) return {};
+  const double outer = s.vessel.lumenDiameter / 2 + (s.hasTissue() ? s.vessel.wallThickness : 0) +
+                       (s.stent ? s.stent->deploymentDepth : 0);
+  if (s.vessel.curvatureRadius < outer / sharpestBend)
+    return fmt::format(
+        "'curvatureRadius' in [vessel] is {}; a vessel that reaches {} from its axis needs at least {}",
+        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, outer, "mm"),
+        shown(u, outer / sharpestBend, "mm"));
+  if (s.vessel.length > longestArc * s.vessel.curvatureRadius)
+    return fmt::format(
+        "'curvatureRadius' in [vessel] is {}, on which a vessel of {} goes around too far; at most {}",
+        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, s.vessel.length, "mm"),
+        shown(u, longestArc * s.vessel.curvatureRadius, "mm"));
+  return {};
 }
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
@@ -297,6 +325,10 @@ const std::vector<Check>& checks() {
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
       {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
+      {{"vessel.curvatureRadius", "vessel.lumenSurface"}, bendOfLumenSurface},
+      {{"vessel.curvatureRadius", "vessel.lumenDiameter", "vessel.wallThickness", "vessel.length",
+        "stent.deploymentDepth", "mechanics"},
+       bendTooSharp},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},

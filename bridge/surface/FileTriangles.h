@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace restenosis {
@@ -18,5 +21,10 @@ struct FileTriangles {
     a(corners, solid, names);
   }
 };
+
+/// Throws std::runtime_error: the file, and what is wrong with it.
+[[noreturn]] inline void refuseFile(const std::filesystem::path& file, std::string_view what) {
+  throw std::runtime_error(file.string() + " " + std::string(what));
+}
 
 }  // namespace restenosis

@@ -24,10 +24,6 @@ constexpr std::size_t bytesOfANormal = 12;
 /// Ten million triangles of a binary file [bytes], assumed: far more than are meshed here.
 constexpr std::uintmax_t largestStlFile = 512 << 20;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what) {
-  throw std::runtime_error(fmt::format("{} {}", file.string(), what));
-}
-
 /// What may stand behind the last solid: blanks, ends of lines, and what old systems fill or end files with.
 bool isPadding(std::string_view content) {
   return content.find_first_not_of(std::string_view(" \t\v\f\r\n\0\x1A", 8)) == std::string_view::npos;
@@ -73,26 +69,29 @@ bool isFurtherSolids(std::string_view rest) {
 /// Takes a binary solid off the front of what is left of the file.
 void takeBinary(std::string_view& rest, const std::filesystem::path& file, FileTriangles& result) {
   if (rest.size() < headerSize)
-    refuse(file, fmt::format("is cut off, or is no STL file: it has {} bytes, the header of a binary one {}",
-                             rest.size(), headerSize));
+    refuseFile(file,
+               fmt::format("is cut off, or is no STL file: it has {} bytes, the header of a binary one {}",
+                           rest.size(), headerSize));
   const std::size_t count = announced(rest), room = roomIn(rest), before = result.corners.size();
   if (count > room)
-    refuse(file, fmt::format("is cut off, or is no STL file: its header announces {} triangles, it has room "
-                             "for {}",
-                             count, room));
+    refuseFile(file,
+               fmt::format("is cut off, or is no STL file: its header announces {} triangles, it has room "
+                           "for {}",
+                           count, room));
   const std::string_view behind = rest.substr(headerSize + bytesOfATriangle * count);
   const bool more = behind.size() >= bytesOfATriangle, further = isFurtherSolids(behind);
   if (more && count == 0 && !(further && headerIsText(rest)))
-    refuse(file,
-           fmt::format("has a header that announces 0 triangles, but room for {}: what wrote it has not "
-                       "filled in their number. Export it again",
-                       room));
+    refuseFile(file,
+               fmt::format("has a header that announces 0 triangles, but room for {}: what wrote it has not "
+                           "filled in their number. Export it again",
+                           room));
   if (more && !further)
-    refuse(file,
-           fmt::format(
-               "holds more than it announces: its header announces {} triangles, it has room for {}, and the "
-               "{} bytes behind the announced ones are not whole further solids. Export it again",
-               before + count, before + room, behind.size()));
+    refuseFile(
+        file,
+        fmt::format(
+            "holds more than it announces: its header announces {} triangles, it has room for {}, and the "
+            "{} bytes behind the announced ones are not whole further solids. Export it again",
+            before + count, before + room, behind.size()));
   const auto solid = static_cast<std::uint32_t>(result.names.size());
   result.names.emplace_back();
   const char* next = rest.data() + headerSize + bytesOfANormal;
@@ -100,8 +99,8 @@ void takeBinary(std::string_view& rest, const std::filesystem::path& file, FileT
     std::array<float, 9> corners{};
     std::memcpy(corners.data(), next, sizeof(corners));
     if (!std::all_of(corners.begin(), corners.end(), [](float x) { return std::isfinite(x); }))
-      refuse(file, fmt::format("has a vertex that is not a finite number, in triangle {} of {}",
-                               before + t + 1, before + count));
+      refuseFile(file, fmt::format("has a vertex that is not a finite number, in triangle {} of {}",
+                                   before + t + 1, before + count));
     std::copy(corners.begin(), corners.end(), result.corners.emplace_back().begin());
     result.solid.push_back(solid);
   }
@@ -116,16 +115,17 @@ void takeText(std::string_view& rest, std::size_t at, const std::filesystem::pat
   takeStlText(rest, name, isFurtherSolids, result);
   if (isPadding(rest) && rest.size() < bytesOfATriangle) rest = {};
   if (rest.empty() || (rest.size() >= headerSize && isFurtherSolids(rest))) return;
-  refuse(file, fmt::format("holds more than solids: {} triangles end with the text, and the {} bytes behind "
-                           "it, room for {} more, are not whole further solids. Export it again",
-                           result.corners.size(), rest.size(), rest.size() / bytesOfATriangle));
+  refuseFile(file,
+             fmt::format("holds more than solids: {} triangles end with the text, and the {} bytes behind "
+                         "it, room for {} more, are not whole further solids. Export it again",
+                         result.corners.size(), rest.size(), rest.size() / bytesOfATriangle));
 }
 
 }  // namespace
 
 FileTriangles readStlTriangles(const std::filesystem::path& file) {
   const std::string content = contentOf(file, largestStlFile);
-  if (content.empty()) refuse(file, "is empty: it must be an STL file");
+  if (content.empty()) refuseFile(file, "is empty: it must be an STL file");
   FileTriangles result;
   for (std::string_view rest = content; !rest.empty();) {
     const bool first = rest.size() == content.size();
@@ -136,7 +136,7 @@ FileTriangles readStlTriangles(const std::filesystem::path& file) {
       takeBinary(rest, file, result);
     }
   }
-  if (result.corners.empty()) refuse(file, "holds no triangles");
+  if (result.corners.empty()) refuseFile(file, "holds no triangles");
   return result;
 }
 

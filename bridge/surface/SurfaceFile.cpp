@@ -35,10 +35,6 @@ namespace {
 /// As much as of an STL file [bytes] (assumed).
 constexpr std::uintmax_t largestSurfaceFile = 512 << 20;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what) {
-  throw std::runtime_error(fmt::format("{} {}", file.string(), what));
-}
-
 std::string endingOf(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -51,7 +47,7 @@ vtkSmartPointer<vtkPolyData> readBy(const std::filesystem::path& file, std::stri
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0) refuse(file, fmt::format("cannot be read as {}", kind));
+  if (reader->GetErrorCode() != 0) refuseFile(file, fmt::format("cannot be read as {}", kind));
   return reader->GetOutput();
 }
 
@@ -60,8 +56,8 @@ void requireVertices(vtkPolyData& data, const std::filesystem::path& file) {
   for (vtkIdType v = 0; v < data.GetNumberOfPoints(); ++v) {
     const double* const p = data.GetPoint(v);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      refuse(file, fmt::format("has a vertex that is not a finite number: {} of {}", v + 1,
-                               data.GetNumberOfPoints()));
+      refuseFile(file, fmt::format("has a vertex that is not a finite number: {} of {}", v + 1,
+                                   data.GetNumberOfPoints()));
   }
   for (vtkCellArray* const faces : {data.GetPolys(), data.GetStrips()}) {
     for (vtkIdType f = 0; f < faces->GetNumberOfCells(); ++f) {
@@ -70,8 +66,8 @@ void requireVertices(vtkPolyData& data, const std::filesystem::path& file) {
       faces->GetCellAtId(f, count, corners);
       if (std::any_of(corners, corners + count,
                       [&](vtkIdType v) { return v < 0 || v >= data.GetNumberOfPoints(); }))
-        refuse(file,
-               fmt::format("has a face that names no vertex: {} of {}", f + 1, faces->GetNumberOfCells()));
+        refuseFile(
+            file, fmt::format("has a face that names no vertex: {} of {}", f + 1, faces->GetNumberOfCells()));
     }
   }
 }
@@ -94,8 +90,9 @@ std::string regionOf(vtkAbstractArray& regions, vtkIdType triangle, const std::f
   for (const SurfaceRegion region :
        {SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet, SurfaceRegion::outlet})
     if (number == static_cast<double>(region)) return std::string(regionName(region));
-  refuse(file,
-         "has a cell array 'region' that is neither texts nor 0 (wall), 1 (strut), 2 (inlet) or 3 (outlet)");
+  refuseFile(
+      file,
+      "has a cell array 'region' that is neither texts nor 0 (wall), 1 (strut), 2 (inlet) or 3 (outlet)");
 }
 
 void addSolids(FileTriangles& triangles, vtkPolyData& data, const std::filesystem::path& file) {
@@ -127,7 +124,7 @@ FileTriangles readPolyData(const std::filesystem::path& file, std::string_view e
     std::array<double, 9>& corners = result.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) mesh->GetPoint(ids[k], corners.data() + 3 * k);
   }
-  if (result.corners.empty()) refuse(file, "holds no triangles");
+  if (result.corners.empty()) refuseFile(file, "holds no triangles");
   addSolids(result, *mesh, file);
   return result;
 }
@@ -135,7 +132,7 @@ FileTriangles readPolyData(const std::filesystem::path& file, std::string_view e
 /// VTK's readers of PLY and OBJ believe what a file says of its own numbers, and crash where that is wrong.
 FileTriangles readGuarded(const std::filesystem::path& file, std::string_view ending) {
   if (const std::string obstacle = fileObstacle(file, largestSurfaceFile); !obstacle.empty())
-    refuse(file, obstacle);
+    refuseFile(file, obstacle);
   std::string bytes;
   try {
     bytes = inOwnProcess([&] {
@@ -147,7 +144,7 @@ FileTriangles readGuarded(const std::filesystem::path& file, std::string_view en
   } catch (const std::runtime_error& error) {
     const std::string_view what = error.what();
     if (what.starts_with(file.string())) throw;
-    refuse(file, fmt::format("cannot be read: {}", what));
+    refuseFile(file, fmt::format("cannot be read: {}", what));
   }
   FileTriangles result;
   ReadingArchive archive(std::move(bytes));

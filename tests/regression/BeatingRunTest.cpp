@@ -48,7 +48,7 @@ TEST_F(BeatingRun, LeavesTheStressOverABeat) {
   EXPECT_TRUE(exists("out/flow/0/beats/case.foam"));
 
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((folder / "out/lumen/lumen_0000.vtp").c_str());
+  reader->SetFileName((folder / "out/lumen/lumen_000000.vtp").c_str());
   reader->Update();
   vtkCellData* cells = reader->GetOutput()->GetCellData();
   for (const char* name : {"TAWSS", "OSI", "RRT", "transWSS"})

@@ -61,8 +61,8 @@ TEST(PowersOfW, HoldWomersleysProfileInACoronaryArtery) {
   const WomersleyFlow flow(twoHarmonics(), 0.9e-3, 2.7e-6);
   EXPECT_LT(PowersOfW([&](double share) { return flow.harmonic(5, share).real(); }).error(), 1e-10);
   // Where it is steep at the wall, the error says so
-  const WomersleyFlow wide(twoHarmonics(), 0.1, 2.7e-6);
-  EXPECT_GT(PowersOfW([&](double share) { return wide.harmonic(5, share).real(); }).error(), 0.01);
+  const WomersleyFlow wide(twoHarmonics(), 0.02, 2.7e-6);
+  EXPECT_GT(PowersOfW([&](double share) { return wide.harmonic(5, share).real(); }).error(), 0.005);
 }
 
 TEST(PowersOfW, AreAProductThatBeginsWithW) {

@@ -85,6 +85,13 @@ void VesselParameters::describe(ParameterVisitor& p) {
                               .minimumAllowed = false,
                               .source = "assumed",
                               .description = "length of the stenosis"});
+  p.quantity(curvatureRadius,
+             {.key = "curvatureRadius",
+              .unit = "mm",
+              .minimum = 0,
+              .maximum = 10000,
+              .source = "docs/model/curved.md",
+              .description = "radius of the arc that the vessel's axis is bent to; 0: straight"});
   p.file(agents,
          {.key = "agents",
           .source = "none",

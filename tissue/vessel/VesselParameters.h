@@ -10,7 +10,7 @@ namespace restenosis {
 struct VesselParameters {
   static constexpr std::string_view section = "vessel";
   static constexpr std::string_view summary =
-      "The vessel before stenting: a straight cylinder of packed agents, or one loaded";
+      "The vessel before stenting: a cylinder of packed agents, straight or bent, or one loaded";
 
   double length = 4.5e-3;          ///< [m]
   double lumenDiameter = 1.8e-3;   ///< [m]
@@ -23,10 +23,12 @@ struct VesselParameters {
   double fixedEnds = 2.0;          ///< centres within this many cell radii of an end never move
   double stenosis = 0.0;           ///< largest share of the diameter removed, halfway along
   double stenosisLength = 1.8e-3;  ///< [m]
+  double curvatureRadius = 0.0;    ///< of the axis [m]; 0: straight
   std::string agents;              ///< CSV of agents to load instead of packing
   std::string lumenSurface;        ///< STL of the lumen to use instead of a cylinder
   std::string lumenSurfaceUnit = "mm";
 
+  bool isBent() const { return curvatureRadius > 0; }
   void describe(ParameterVisitor& p);
 };
 

@@ -78,10 +78,10 @@ std::vector<PlannedPart> FlowPart::explain(const Scene& scene) {
                      distal->pressure / mmHg, distal->resistance / (60e6 * mmHg),
                      60e6 * distal->pressure / distal->resistance)});
   if (scene.flow->straightEnds > 0)
-    parts.push_back({"straight ends", true,
-                     fmt::format("{:g} mm of straight tube before the inlet and behind the outlet, in the "
-                                 "flow only",
-                                 scene.flow->straightEnds * 1e3)});
+    parts.push_back(
+        {"straight ends", true,
+         fmt::format("{:g} mm of {} before the inlet and behind the outlet, in the flow only",
+                     scene.flow->straightEnds * 1e3, scene.vessel.isBent() ? "the bend" : "straight tube")});
   return parts;
 }
 

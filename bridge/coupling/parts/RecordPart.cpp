@@ -1,6 +1,7 @@
 #include "bridge/coupling/parts/RecordPart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bridge/coupling/StentedSection.h"
 #include "bridge/output/LumenWriter.h"
@@ -18,13 +19,13 @@ std::vector<PlannedPart> RecordPart::explain(const Scene&) { return {}; }
 std::unique_ptr<RecordPart> RecordPart::make(const PartContext& context) {
   RunState& run = context.run;
   return std::make_unique<RecordPart>(run.quantities, run.scene, run.folder, run.biology, run.extraction,
-                                      run.stent, run.divisions, run.crossCheck.checks, run.timer);
+                                      run.stent, run.divisions, run.crossCheck.checks, run.timer, run.axis);
 }
 
 RecordPart::RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder,
                        const Biology& biology, LumenExtraction& extraction, const std::optional<Stent>& stent,
                        const std::uint64_t& divisions, const std::vector<CrossCheckRecord>& crossChecks,
-                       PartTimer& timer)
+                       PartTimer& timer, std::shared_ptr<const Centreline> axis)
     : Part(quantities),
       scene_(scene),
       biology_(biology),
@@ -33,6 +34,7 @@ RecordPart::RecordPart(Quantities& quantities, const Scene& scene, const Results
       divisions_(divisions),
       crossChecks_(crossChecks),
       timer_(timer),
+      axis_(std::move(axis)),
       timeSeries_(folder.timeSeries()),
       tissue_(folder.path(), "tissue"),
       lumenFiles_(folder.path(), "lumen"),
@@ -60,8 +62,9 @@ void RecordPart::begin() {
   lumenFiles_.begin();
   if (stent_) {
     auto measurement = timer_.measure("output");
-    writeStruts(strutsFile_,
-                strutSurface(stent_->segments, scene_.vessel.length, scene_.coupling.surfaceResolution));
+    const TriSurface struts =
+        strutSurface(stent_->segments, scene_.vessel.length, scene_.coupling.surfaceResolution);
+    writeStruts(strutsFile_, axis_ ? bentAlong(*axis_, struts) : struts);
   }
 }
 
@@ -70,12 +73,13 @@ void RecordPart::run(const Instant& now) {
   timeSeries_.append(row(now));
   const FlowSolution* flow = flow_->last ? &*flow_->last : nullptr;
   if (scene_.hasTissue()) {
-    writeTissue(tissue_.dataFile(now.step), wall_->agents, now.time);
+    writeTissue(tissue_.dataFile(now.step), wall_->agents, now.time, axis_.get());
     tissue_.add(now.step, now.time);
   }
   if (!lumen_->closed) {
     const RadialMap* postDeployment = scene_.hasTissue() ? &lumen_->afterDeployment : nullptr;
-    writeLumen(lumenFiles_.dataFile(now.step), extraction_.surface(), flow, now.time, postDeployment);
+    writeLumen(lumenFiles_.dataFile(now.step), extraction_.surface(), flow, now.time, postDeployment,
+               axis_.get());
     lumenFiles_.add(now.step, now.time);
   }
   solvesRecorded_ = flow_->solves;

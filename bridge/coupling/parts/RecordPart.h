@@ -26,7 +26,8 @@ class RecordPart : public Part {
   /// `stent` is where it stands after deployment; `divisions` are those since then.
   RecordPart(Quantities& quantities, const Scene& scene, const ResultsFolder& folder, const Biology& biology,
              LumenExtraction& extraction, const std::optional<Stent>& stent, const std::uint64_t& divisions,
-             const std::vector<CrossCheckRecord>& crossChecks, PartTimer& timer);
+             const std::vector<CrossCheckRecord>& crossChecks, PartTimer& timer,
+             std::shared_ptr<const Centreline> axis);
 
   std::string_view name() const override { return "record"; }
   bool isPurpose(const Instant&) const override { return true; }
@@ -62,6 +63,7 @@ class RecordPart : public Part {
   const std::uint64_t& divisions_;
   const std::vector<CrossCheckRecord>& crossChecks_;
   PartTimer& timer_;
+  std::shared_ptr<const Centreline> axis_;  ///< null of a straight vessel
   TimeSeries timeSeries_;
   PvdSeries tissue_, lumenFiles_;
   std::filesystem::path strutsFile_;

@@ -104,12 +104,19 @@ def poly_data(path):
     return reader.GetOutput()
 
 
+def straight_positions(data):
+    """Where the points (n, 3) [m] are in the straight vessel: of a bent one their array says so."""
+    straight = data.GetPointData().GetArray("straightPosition")
+    return vtk_to_numpy(straight or data.GetPoints().GetData()).astype(float)
+
+
 def agents(path):
-    """Arrays of a tissue file by name, and `position` (n, 3) [m]."""
+    """Arrays of a tissue file by name, `position` (n, 3) [m] about the axis, and `in_space`, that of the bent vessel."""
     data = poly_data(path)
     points = data.GetPointData()
     arrays = {points.GetArrayName(k): vtk_to_numpy(points.GetArray(k)) for k in range(points.GetNumberOfArrays())}
-    arrays["position"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    arrays["position"] = straight_positions(data)
+    arrays["in_space"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     return arrays
 
 
@@ -123,7 +130,7 @@ def lumen(path):
     beats = [name for name in ("TAWSS", "OSI", "RRT", "transWSS") if cells.HasArray(name)]
     return {
         **{name: vtk_to_numpy(cells.GetArray(name)).astype(float) for name in beats},
-        "vertices": vtk_to_numpy(data.GetPoints().GetData()).astype(float),
+        "vertices": straight_positions(data),
         "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
         "WSS": vtk_to_numpy(cells.GetArray("WSS")).astype(float),
         "region": vtk_to_numpy(cells.GetArray("region")),

@@ -186,7 +186,7 @@ def visible(file):
     line = anatomy.iel_line(agents)
     part = anatomy.parts(agents, line)
     shown = seen(agents, part, line)
-    return 1e3 * agents["position"][shown], 1e3 * agents["radius"][shown], part[shown]
+    return 1e3 * agents["in_space"][shown], 1e3 * agents["radius"][shown], part[shown]
 
 
 def view_of(points, radius, _):
