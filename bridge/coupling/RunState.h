@@ -48,7 +48,7 @@ struct RunState {
 
   Quantities quantities;
   std::shared_ptr<const Centreline> axis;  ///< of a bent vessel; all else here is of the straight one
-  std::optional<Stent> stent;  ///< where it stands after deployment
+  std::optional<Stent> stent;              ///< where it stands after deployment
   LumenExtraction extraction;
   Biology biology;
   std::optional<PackingReport> packing;            ///< of a wall that was packed, not loaded
