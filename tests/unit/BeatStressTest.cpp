@@ -61,8 +61,7 @@ TEST(BeatSteps, SpaceSamplesEvenly) {
     EXPECT_LT(taken, wanted + steps.sampleSteps);
     EXPECT_DOUBLE_EQ(steps.step * taken, 0.9);
     EXPECT_DOUBLE_EQ(steps.end, 2.7);
-    EXPECT_GT(steps.sampleFrom, 0.9);
-    EXPECT_LT(steps.sampleFrom, 0.9 + steps.step);
+    EXPECT_DOUBLE_EQ(steps.sampleFrom, 0.9 + steps.step);
   }
 }
 

@@ -19,8 +19,8 @@ BeatSteps::BeatSteps(double period, int beats, const FoamSettings& settings) {
   samples = roundedUp(wanted, sampleSteps);
   step = period / (samples * sampleSteps);
   end = beats * period;
-  // The sample that falls on the beginning belongs to the beat before
-  sampleFrom = (beats - 2) * period + 0.5 * step;
+  // The sample that falls on the beginning belongs to the beat before, and OpenFOAM takes half a step more
+  sampleFrom = (beats - 2) * period + step;
 }
 
 }  // namespace restenosis

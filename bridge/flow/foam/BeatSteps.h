@@ -13,7 +13,7 @@ struct BeatSteps {
   double step = 0.0;  ///< [s]
   int sampleSteps = 1;
   int samples = 0;          ///< of a beat
-  double sampleFrom = 0.0;  ///< [s], where the last beat but one begins
+  double sampleFrom = 0.0;  ///< [s], the first step of the last beat but one
 };
 
 }  // namespace restenosis
