@@ -21,7 +21,7 @@ namespace restenosis {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::size_t> sideTriangles(const TriSurface& lumen) {
   std::vector<std::size_t> side;
@@ -54,7 +54,7 @@ std::vector<const WallFace*> nearestFaces(const TriSurface& lumen, const std::ve
 void addBeatArrays(vtkCellData& cells, const std::vector<const WallFace*>& faces) {
   const auto add = [&](const char* name, auto&& value) {
     addArray<vtkFloatArray>(&cells, name, faces.size(), 1, [&](std::size_t k, int) {
-      return faces[k] != nullptr ? value(faces[k]->beat) : unknown;
+      return faces[k] != nullptr ? value(faces[k]->beat) : notKnown;
     });
   };
   add("TAWSS", [](const BeatStress& beat) { return beat.average; });
@@ -87,7 +87,7 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
                 double time, const RadialMap* postDeployment, const Centreline* axis) {
   const auto triangles = sideTriangles(lumen);
   const auto faces = nearestFaces(lumen, triangles, flow);
-  std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(unknown));
+  std::vector<Vec3> tractions(triangles.size(), Vec3::Constant(notKnown));
   for (std::size_t k = 0; k < faces.size(); ++k)
     if (faces[k] != nullptr) tractions[k] = faces[k]->traction;
   const auto data = polyDataOf(lumen, triangles);
