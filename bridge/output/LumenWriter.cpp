@@ -15,7 +15,6 @@
 #include "bridge/output/BentPolyData.h"
 #include "bridge/output/PolyDataFile.h"
 #include "bridge/output/SurfacePolyData.h"
-#include "bridge/surface/VesselAxis.h"
 
 namespace restenosis {
 
@@ -63,8 +62,9 @@ void addBeatArrays(vtkCellData& cells, const std::vector<const WallFace*>& faces
   add("transWSS", [](const BeatStress& beat) { return beat.transverse; });
 }
 
-/// Notes the centre of an end, if there is one.
-void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, SurfaceRegion end) {
+/// Notes the centre of an end, if there is one; of a bent vessel where it is in the bend.
+void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, SurfaceRegion end,
+               const Centreline* axis) {
   double area = 0.0;
   Vec3 centre = Vec3::Zero();
   for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
@@ -74,10 +74,12 @@ void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, Sur
     centre += weight * lumen.centre(t);
   }
   if (!(area > 0.0)) return;
+  centre /= area;
+  if (axis != nullptr) centre = axis->toBent(centre);
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->InsertNextTuple(Vec3(centre / area).data());
+  array->InsertNextTuple(centre.data());
   data.GetFieldData()->AddArray(array);
 }
 
@@ -110,9 +112,8 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
     });
   }
   if (axis != nullptr) bendPolyData(*data, *axis);
-  const TriSurface shown = axis != nullptr ? bentAlong(*axis, lumen) : lumen;
-  addCentre(*data, "inletCentre", shown, SurfaceRegion::inlet);
-  addCentre(*data, "outletCentre", shown, SurfaceRegion::outlet);
+  addCentre(*data, "inletCentre", lumen, SurfaceRegion::inlet, axis);
+  addCentre(*data, "outletCentre", lumen, SurfaceRegion::outlet, axis);
   writePolyData(file, data, time);
 }
 

@@ -37,7 +37,8 @@ std::string whenFlowIsSolved(const Scene& scene) {
 }
 
 std::vector<PlannedPart> meshExplanation(const Scene& scene) {
-  const bool afresh = !scene.coupling.movesMesh();
+  // No mesh in a bend is moved
+  const bool afresh = !scene.coupling.movesMesh() || scene.vessel.isBent();
   if (scene.flow->backend == flowBackendNames::foam && scene.hasTissue())
     return {{"mesh", true,
              afresh ? "a new one for every solve"

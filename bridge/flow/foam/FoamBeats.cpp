@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "bridge/flow/foam/BeatSteps.h"
@@ -33,14 +34,17 @@ struct SampledFace {
   double before;
 };
 
-/// Times and values of a surfaceFieldValue.dat.
+/// Times and values of a surfaceFieldValue.dat; what is no number there is none here.
 std::vector<std::pair<double, double>> readSeries(const fs::path& file) {
   std::vector<std::pair<double, double>> series;
   std::istringstream lines(foamLog::read(file));
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream numbers(line);
-    double time = 0, value = 0;
-    if (numbers >> time >> value) series.emplace_back(time, value);
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    double time = 0;
+    std::string value;
+    words >> time >> value;  // a stream reads no "nan"
+    series.emplace_back(time, std::strtod(value.c_str(), nullptr));
   }
   return series;
 }
