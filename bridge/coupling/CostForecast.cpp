@@ -17,6 +17,7 @@
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/LumenGrid.h"
 #include "bridge/surface/SceneStent.h"
+#include "bridge/surface/StlFile.h"
 #include "tissue/biology/Biology.h"
 #include "tissue/parameters/SecondsPerDay.h"
 #include "tissue/vessel/AgentCounts.h"
@@ -75,13 +76,14 @@ LumenSize lumenSize(const Scene& scene) {
     size.strutArea = strutArea(scene);
     return size;
   }
-  const TriSurface lumen = loadLumen(scene.vessel);
+  const TriSurface lumen = loadLumen(scene.vessel, scene.outlets());
   size.volume = enclosedVolume(lumen);
   for (std::size_t t = 0; t < lumen.triangles.size(); ++t) {
     if (lumen.region[t] == SurfaceRegion::wall) size.wallArea += lumen.areaVector(t).norm();
     if (lumen.region[t] == SurfaceRegion::strut) size.strutArea += lumen.areaVector(t).norm();
   }
-  for (const SurfaceRegion end : {SurfaceRegion::inlet, SurfaceRegion::outlet}) {
+  for (const SurfaceRegion end : allRegions(lumen)) {
+    if (!isEnd(end)) continue;
     const double diameter = endDiameter(lumen, end);
     size.wallArea += pi * diameter * ends;
     size.volume += pi / 4 * diameter * diameter * ends;

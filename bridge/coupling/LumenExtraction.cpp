@@ -64,7 +64,7 @@ const TriSurface& LumenExtraction::surface() {
   if (surface_) return *surface_;
   auto measurement = timer_.measure("surface");
   if (scene_.hasLoadedLumen()) {
-    surface_ = loadLumen(scene_.vessel);
+    surface_ = loadLumen(scene_.vessel, scene_.outlets());
   } else if (scene_.hasTissue()) {
     if (!field_) extractField();
     surface_ = extractSurface(*field_);

@@ -1,5 +1,6 @@
 #include "bridge/coupling/RunReport.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "bridge/coupling/FlowForecast.h"
@@ -92,6 +93,11 @@ void RunReport::writeSummary(const std::string& status, const Schedule* schedule
   summary.flowMeshesMoved = quantities_.flow.meshesMoved;
   summary.flowRemeshed = quantities_.flow.remeshedBecause;
   if (const auto& flow = quantities_.flow.last; flow && flow->beats.beats > 0) summary.beats = flow->beats;
+  if (const auto& flow = quantities_.flow.last; flow && !flow->outlets.empty()) {
+    const auto names = scene.flow->outletsOfTable();
+    for (std::size_t n = 0; n < std::min(names.size(), flow->outlets.size()); ++n)
+      summary.outlets.emplace_back(names[n].name, flow->outlets[n]);
+  }
   if (schedule) {
     const auto flow = schedule->counts().find("flow");
     if (flow != schedule->counts().end()) summary.flowSolvesSkipped = flow->second.skipped;

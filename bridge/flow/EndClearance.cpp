@@ -124,7 +124,7 @@ std::vector<bool> ownWall(const TriSurface& lumen, SurfaceRegion end, const EndS
   const auto visit = [&](std::uint32_t triangle) {
     if (triangle == SurfaceEdges::none || own[triangle] || !slab.reachedBy(triangle)) return;
     const SurfaceRegion region = lumen.region[triangle];
-    if (region == SurfaceRegion::inlet || region == SurfaceRegion::outlet || !slab.byTheRim(triangle)) return;
+    if (isEnd(region) || !slab.byTheRim(triangle)) return;
     own[triangle] = true;
     reached.push_back(triangle);
   };

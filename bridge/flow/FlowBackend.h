@@ -19,6 +19,24 @@ struct DistalBed {
   double pressure = 0.0;    ///< lost along the vessel and the bed together [Pa]
 };
 
+/// One outlet of several, and what decides how much goes through it.
+struct Outlet {
+  std::string name;         ///< of its solid in the surface's file
+  double share = 0.0;       ///< of the flow rate; with a resistance a guess
+  double resistance = 0.0;  ///< of what lies behind it, as DistalBed's [Pa s/m^3]; 0: the share is given
+};
+
+/// What went through an outlet.
+struct OutletFlow {
+  double flowRate = 0.0;  ///< [m^3/s]
+  double pressure = 0.0;  ///< mean over its area, less that of the first outlet [Pa]
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(flowRate, pressure);
+  }
+};
+
 /// How the flow rate at the inlet beats.
 struct Beating {
   Waveform waveform;
@@ -39,6 +57,7 @@ struct FlowConditions {
   std::optional<ViscosityLaw> thinning = std::nullopt;  ///< how it thins; none of a Newtonian fluid
   /// What the flow rate follows from (DistalResistance); `flowRate` is a guess then.
   std::optional<DistalBed> distal = std::nullopt;
+  std::vector<Outlet> outlets = {};  ///< in the order of the lumen's regions; none where there is one
   std::optional<Beating> beating = std::nullopt;  ///< about `flowRate` as its mean; none of steady flow
   double dynamicViscosity() const { return density * kinematicViscosity; }
 };
@@ -77,7 +96,7 @@ struct BeatSummary {
 struct FlowSolution {
   std::vector<WallFace> wall;
   double flowRate = 0.0;       ///< volume per time through the inlet [m^3/s]
-  double pressureDrop = 0.0;   ///< inlet minus outlet, area-weighted [Pa]
+  double pressureDrop = 0.0;   ///< inlet minus outlet, the first of several, area-weighted [Pa]
   double massImbalance = 0.0;  ///< |out - in| / in
   std::size_t cells = 0;
   int iterations = 0;
@@ -86,11 +105,12 @@ struct FlowSolution {
   bool meshMoved = false;            ///< the mesh is that of the former solve, moved onto the lumen
   std::string remeshedBecause;       ///< why not, as a category; empty where no mesh is ever moved
   BeatSummary beats;
+  std::vector<OutletFlow> outlets;  ///< of several outlets, in the order of the conditions
 
   template <class Archive>
   void archive(Archive& a) {
     a(wall, flowRate, pressureDrop, massImbalance, cells, iterations, meshSeconds, solveSeconds, remarks,
-      meshMoved, remeshedBecause, beats);
+      meshMoved, remeshedBecause, beats, outlets);
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "bridge/flow/CoronaryWaveforms.h"
 #include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/OutletTable.h"
 #include "bridge/flow/TubeFlow.h"
 #include "tissue/parameters/NamedTable.h"
 
@@ -155,6 +156,11 @@ void FlowParameters::describe(ParameterVisitor& p) {
             .description =
                 "of a beating flow, the stress that cells feel: the mean over the beat (TAWSS), or that of "
                 "steady flow at the mean flow rate"});
+  p.file(outlets,
+         {.key = "outlets",
+          .source = "none",
+          .description = "several outlets of a lumen without tissue: a table with the columns solid, and share "
+                         "(of the flow rate) or resistance (of what lies behind, Pa s/m^3); foam only"});
   p.quantity(
       straightEnds,
       {.key = "straightEnds",
@@ -206,6 +212,10 @@ double FlowParameters::drivenVelocity(double lumenDiameter) const {
     return TubeFlow::ofWallStress(*law, wallStressOfGradient(*this, radius), radius).flowRate() /
            (std::numbers::pi * radius * radius);
   return pressureGradient * radius * radius / (8 * density * kinematicViscosity);
+}
+
+std::vector<Outlet> FlowParameters::outletsOfTable() const {
+  return outlets.empty() ? std::vector<Outlet>() : readOutlets(outlets);
 }
 
 std::optional<Beating> FlowParameters::beating() const {

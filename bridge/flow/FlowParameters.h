@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bridge/flow/FlowBackend.h"
 #include "tissue/parameters/ParameterVisitor.h"
@@ -40,6 +41,7 @@ struct FlowParameters {
   std::string waveformFile;            ///< table of another waveform; empty for none
   std::int64_t beats = 3;              ///< solved, one after the other
   std::string stressMeasure = "mean";  ///< see beating
+  std::string outlets;                 ///< table of several outlets; empty for one
   double straightEnds = 0.0;           ///< of straight tube before the inlet and behind the outlet [m]
   std::string crossCheck = "none";     ///< see FlowBackendNames.h: crossChecks
   double crossCheckShare = 0.1;        ///< of the flow's time
@@ -66,6 +68,8 @@ struct FlowParameters {
   /// How the flow rate beats, as `waveform` or the table says; nothing of steady flow. Throws WaveformError
   /// for a table that cannot be used, and std::invalid_argument for a word that is none of waveform's.
   std::optional<Beating> beating() const;
+  /// The outlets of the table, sorted by name; none without one. Throws OutletTableError.
+  std::vector<Outlet> outletsOfTable() const;
   /// The conditions of steady flow that a backend solves for; the flow rate is the mean velocity times the
   /// undeformed lumen's area.
   FlowConditions conditions(double lumenDiameter) const;

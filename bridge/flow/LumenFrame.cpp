@@ -45,6 +45,7 @@ void flatten(TriSurface& lumen, SurfaceRegion end) {
 }  // namespace
 
 std::optional<Eigen::Isometry3d> frameAlongZ(const TriSurface& lumen) {
+  if (lumen.outletCount() > 1) return std::nullopt;
   const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
   const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
   if (inlet.normal.cross(outlet.normal).norm() > std::sin(parallelWithin) ||

@@ -8,13 +8,13 @@
 #include <set>
 #include <stdexcept>
 
+#include "bridge/surface/StlFile.h"
+
 namespace restenosis {
 namespace {
 
 /// Largest departure of an end from its plane, over its distance from the axis origin or its size.
 constexpr double planarity = 1e-6;
-
-const char* nameOf(SurfaceRegion end) { return end == SurfaceRegion::inlet ? "inlet" : "outlet"; }
 
 void requireFinite(const TriSurface& lumen) {
   if (lumen.triangles.empty()) throw std::invalid_argument("the lumen surface has no triangles");
@@ -73,7 +73,7 @@ void requireLumen(const TriSurface& lumen) {
 }
 
 LumenEnd lumenEnd(const TriSurface& lumen, SurfaceRegion end) {
-  const char* name = nameOf(end);
+  const std::string_view name = regionName(end);
   LumenEnd result{0.0, 0.0, Vec3::Zero()};
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
@@ -107,7 +107,7 @@ EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
     result.centre += areaVector.norm() * lumen.centre(i);
   }
   if (!(result.area > 0.0))
-    throw std::invalid_argument(fmt::format("the lumen surface has no {}", nameOf(end)));
+    throw std::invalid_argument(fmt::format("the lumen surface has no {}", regionName(end)));
   result.centre /= result.area;
   result.normal.normalize();
   double farthest = 0.0;
@@ -118,7 +118,7 @@ EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
   }
   if (farthest > planarity * std::sqrt(result.area))
     throw std::invalid_argument(fmt::format(
-        "the {} of the lumen surface is not planar: a vertex is {:.3g} m off", nameOf(end), farthest));
+        "the {} of the lumen surface is not planar: a vertex is {:.3g} m off", regionName(end), farthest));
   for (const auto& [from, to] : endRim(lumen, end))
     result.perimeter += (lumen.vertices[to] - lumen.vertices[from]).norm();
   return result;
@@ -140,10 +140,12 @@ std::vector<std::array<std::uint32_t, 2>> endRim(const TriSurface& lumen, Surfac
 void requireLumenWithPlanarEnds(const TriSurface& lumen) {
   requireSound(lumen);
   endPlane(lumen, SurfaceRegion::inlet);
-  endPlane(lumen, SurfaceRegion::outlet);
+  for (std::size_t n = 0; n < std::max<std::size_t>(1, lumen.outletCount()); ++n)
+    endPlane(lumen, outletRegion(n));
 }
 
 bool liesAlongZ(const TriSurface& lumen) {
+  if (lumen.outletCount() > 1) return false;
   const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
   const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
   const double low = inlet.centre.z(), high = outlet.centre.z();

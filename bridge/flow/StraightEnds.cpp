@@ -55,7 +55,7 @@ struct Sides {
 Sides sidesOf(const TriSurface& longer, std::size_t lumenTriangles) {
   Sides sides;
   for (std::size_t t = 0; t < longer.triangles.size(); ++t) {
-    if (longer.region[t] == SurfaceRegion::inlet || longer.region[t] == SurfaceRegion::outlet) continue;
+    if (isEnd(longer.region[t])) continue;
     sides.triangles.push_back(longer.triangles[t]);
     if (t < lumenTriangles) sides.own = sides.triangles.size();
   }
@@ -66,14 +66,15 @@ Sides sidesOf(const TriSurface& longer, std::size_t lumenTriangles) {
 
 TriSurface withStraightEnds(const TriSurface& lumen, double length) {
   if (!(length > 0.0)) throw std::invalid_argument("the length of straight ends must be positive");
-  const EndPlane inlet = endPlane(lumen, SurfaceRegion::inlet);
-  const EndPlane outlet = endPlane(lumen, SurfaceRegion::outlet);
+  std::vector<SurfaceRegion> ends{SurfaceRegion::inlet};
+  for (std::size_t n = 0; n < lumen.outletCount(); ++n) ends.push_back(outletRegion(n));
+  std::vector<Vec3> ways;
+  for (const SurfaceRegion end : ends) ways.push_back(length * endPlane(lumen, end).normal);
   const SurfaceEdges edges = surfaceEdges(lumen);
   if (!edges.open.empty() || edges.crowded > 0)
     throw std::invalid_argument("the lumen surface is not closed: it cannot be carried on at its ends");
   TriSurface result = lumen;
-  carryOn(result, edges, SurfaceRegion::inlet, length * inlet.normal);
-  carryOn(result, edges, SurfaceRegion::outlet, length * outlet.normal);
+  for (std::size_t n = 0; n < ends.size(); ++n) carryOn(result, edges, ends[n], ways[n]);
   return result;
 }
 

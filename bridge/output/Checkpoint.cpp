@@ -20,7 +20,7 @@ namespace {
 using Reason = CheckpointRefused::Reason;
 
 constexpr std::array<char, 8> magic{'r', 'F', 'o', 'a', 'm', 'S', 't', '\n'};
-constexpr std::uint32_t formatVersion = 20;
+constexpr std::uint32_t formatVersion = 21;
 
 /// The first bytes of every format; they never change their place.
 struct Prefix {

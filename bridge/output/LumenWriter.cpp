@@ -1,5 +1,6 @@
 #include "bridge/output/LumenWriter.h"
 
+#include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -15,6 +16,7 @@
 #include "bridge/output/BentPolyData.h"
 #include "bridge/output/PolyDataFile.h"
 #include "bridge/output/SurfacePolyData.h"
+#include "bridge/surface/StlFile.h"
 
 namespace restenosis {
 
@@ -63,7 +65,7 @@ void addBeatArrays(vtkCellData& cells, const std::vector<const WallFace*>& faces
 }
 
 /// Notes the centre of an end, if there is one; of a bent vessel where it is in the bend.
-void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, SurfaceRegion end,
+void addCentre(vtkPolyData& data, const std::string& name, const TriSurface& lumen, SurfaceRegion end,
                const Centreline* axis) {
   double area = 0.0;
   Vec3 centre = Vec3::Zero();
@@ -77,7 +79,7 @@ void addCentre(vtkPolyData& data, const char* name, const TriSurface& lumen, Sur
   centre /= area;
   if (axis != nullptr) centre = axis->toBent(centre);
   vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
+  array->SetName(name.c_str());
   array->SetNumberOfComponents(3);
   array->InsertNextTuple(centre.data());
   data.GetFieldData()->AddArray(array);
@@ -112,8 +114,8 @@ void writeLumen(const std::filesystem::path& file, const TriSurface& lumen, cons
     });
   }
   if (axis != nullptr) bendPolyData(*data, *axis);
-  addCentre(*data, "inletCentre", lumen, SurfaceRegion::inlet, axis);
-  addCentre(*data, "outletCentre", lumen, SurfaceRegion::outlet, axis);
+  for (const SurfaceRegion region : allRegions(lumen))
+    if (isEnd(region)) addCentre(*data, fmt::format("{}Centre", regionName(region)), lumen, region, axis);
   writePolyData(file, data, time);
 }
 

@@ -86,6 +86,18 @@ Json beats(const Summary& summary) {
           {"seconds", beats.seconds}};
 }
 
+Json outlets(const Summary& summary) {
+  double all = 0;
+  for (const auto& [name, flow] : summary.outlets) all += flow.flowRate;
+  Json list = Json::array();
+  for (const auto& [name, flow] : summary.outlets)
+    list.push_back({{"solid", name},
+                    {"flowRate_m3_s", flow.flowRate},
+                    {"share", flow.flowRate / all},
+                    {"pressure_Pa", flow.pressure}});
+  return list;
+}
+
 Json flowSolves(const Summary& summary) {
   Json flow;
   flow["backend"] = summary.flowBackend.empty() ? Json(nullptr) : Json(summary.flowBackend);
@@ -97,6 +109,7 @@ Json flowSolves(const Summary& summary) {
   flow["meshesMoved"] = summary.flowMeshesMoved;
   flow["remeshedBecause"] = Json(summary.flowRemeshed);
   flow["beats"] = beats(summary);
+  flow["outlets"] = outlets(summary);
   return flow;
 }
 

@@ -9,6 +9,7 @@
 #include "bridge/flow/FlowBackendNames.h"
 #include "bridge/flow/LumenFrame.h"
 #include "bridge/flow/LumenShape.h"
+#include "bridge/flow/OutletTable.h"
 #include "bridge/flow/StraightEnds.h"
 #include "bridge/scene/ArteryWidth.h"
 #include "bridge/scene/LoadedWall.h"
@@ -17,6 +18,7 @@
 #include "bridge/surface/WallOutwards.h"
 #include "tissue/parameters/IgnoringVisitor.h"
 #include "tissue/parameters/LengthUnits.h"
+#include "tissue/parameters/NameList.h"
 
 namespace restenosis {
 namespace {
@@ -105,6 +107,23 @@ void checkStraightEnds(const TriSurface& lumen, double length, const SceneDocume
         document, findings);
 }
 
+/// Whether the table of outlets names those of the surface; empty where it does. What is wrong with the table
+/// itself is said elsewhere.
+std::string outletProblem(const Scene& scene, const std::vector<std::string>& ofSurface) try {
+  if (scene.outlets() == Outlets::one) return {};
+  if (ofSurface.empty())
+    return "'lumenSurface' has not several solids that are named as outlets; it needs one for each line of the table";
+  std::vector<std::string> ofTable;
+  for (const Outlet& outlet : scene.flow->outletsOfTable()) ofTable.push_back(outlet.name);
+  if (ofTable == ofSurface) return {};
+  const auto list = [](const std::vector<std::string>& names) {
+    return commaSeparated(std::vector<std::string_view>(names.begin(), names.end()));
+  };
+  return fmt::format("the table names the outlets {}, but 'lumenSurface' has {}", list(ofTable), list(ofSurface));
+} catch (const OutletTableError&) {
+  return {};
+}
+
 double distanceOfEnds(const TriSurface& lumen) {
   return (endPlane(lumen, SurfaceRegion::outlet).centre - endPlane(lumen, SurfaceRegion::inlet).centre)
       .norm();
@@ -132,10 +151,12 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
   };
   TriSurface lumen;
   try {
-    DescribedLumen loaded = loadDescribedLumen(vessel);
+    DescribedLumen loaded = loadDescribedLumen(vessel, scene.outlets());
     lumen = std::move(loaded.surface);
     scene.lumenParts = std::move(loaded.parts);
     scene.remarks = std::move(loaded.remarks);
+    if (const std::string problem = outletProblem(scene, loaded.outlets); !problem.empty())
+      blame(FlowParameters::section, "outlets", problem, document, findings);
     requireLumenWithPlanarEnds(lumen);
   } catch (const std::exception& error) {
     blameVessel("lumenSurface", error.what());

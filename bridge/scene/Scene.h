@@ -10,6 +10,7 @@
 #include "bridge/flow/foam/FoamSettings.h"
 #include "bridge/flow/lbm/LbmSettings.h"
 #include "bridge/scene/RunParameters.h"
+#include "bridge/surface/LumenCap.h"
 #include "tissue/biology/ActivationParameters.h"
 #include "tissue/biology/CellCycleParameters.h"
 #include "tissue/biology/ContactInhibitionParameters.h"
@@ -51,6 +52,8 @@ struct Scene {
 
   /// Whether there is a wall of agents; without one the lumen is the vessel's own shape.
   bool hasTissue() const { return mechanics.has_value(); }
+  /// How many outlets a loaded lumen may have.
+  Outlets outlets() const { return flow && !flow->outlets.empty() ? Outlets::several : Outlets::one; }
   /// Whether the lumen is a surface from a file, which never changes. Around one with tissue a wall is built.
   bool hasLoadedLumen() const { return !hasTissue() && !vessel.lumenSurface.empty(); }
   /// What the backends are given: the sections, or what `scene.fidelity` stands for.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/OutletTable.h"
 #include "bridge/scene/ArteryWidth.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/surface/SceneStent.h"
@@ -284,6 +285,34 @@ Finding beatingFlow(const Scene& s, const Units&) {
   }
 }
 
+Finding severalOutlets(const Scene& s, const Units&) {
+  if (s.outlets() == Outlets::one) return {};
+  const FlowParameters& flow = *s.flow;
+  if (s.hasTissue())
+    return "'outlets' in [flow] is for lumens that branch, around which no tissue is grown; take it or [mechanics] "
+           "out";
+  if (s.vessel.lumenSurface.empty())
+    return "'outlets' in [flow] is for lumens that branch: those of a 'lumenSurface' in [vessel], which is not given";
+  if (flow.backend != flowBackendNames::foam)
+    return fmt::format(
+        "'outlets' in [flow] cannot be solved by backend = \"{}\"; allowed is \"foam\"", flow.backend);
+  if (flow.drive != "flowRate")
+    return fmt::format("'outlets' in [flow] shares out a flow rate, but drive = \"{}\" gives none; allowed is "
+                       "\"flowRate\"",
+                       flow.drive);
+  if (flow.isBeating())
+    return "'outlets' in [flow] shares out a steady flow; take it out, or 'waveform' and 'waveformFile'";
+  if (flow.isCrossChecked())
+    return fmt::format("'outlets' in [flow] leaves nothing to compare with; crossCheck is \"{}\", allowed is \"none\"",
+                       flow.crossCheck);
+  try {
+    flow.outletsOfTable();
+    return {};
+  } catch (const OutletTableError& error) {
+    return fmt::format("'outlets' in [flow]: {}", error.what());
+  }
+}
+
 /// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!s.hasTissue()) return {};
@@ -353,6 +382,9 @@ const std::vector<Check>& checks() {
        thinningBlood},
       {{"flow.waveformFile", "flow.waveform", "flow.backend", "flow.drive", "flow.crossCheck", "flow.beats"},
        beatingFlow},
+      {{"flow.outlets", "flow.backend", "flow.drive", "flow.waveform", "flow.waveformFile", "flow.crossCheck",
+        "vessel.lumenSurface", "mechanics"},
+       severalOutlets},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };

@@ -83,8 +83,9 @@ void flatten(TriSurface& s, const LumenCap& end) {
   if (ends.size() > 2)
     refuseLumen(fmt::format(
         "it needs two planar ends, one inlet and one outlet, but {} were found ({} of them open){}. "
-        "Bifurcations are not supported: take one branch; or close the others and name the solids of "
-        "the ends inlet and outlet, which also tells ends from other flat faces",
+        "Of a bifurcation take one branch; or close the others and name the solids of the ends inlet and "
+        "outlet, which also tells ends from other flat faces; or, without tissue, make each end a solid of its "
+        "own, and name the outlets in a table ('outlets' in [flow])",
         ends.size(), open, where));
   refuseLumen(fmt::format(
       "it needs two planar ends, open or closed by a flat cap with a sharp rim, but {} {} found ({} "
@@ -129,16 +130,33 @@ void sortEnds(const TriSurface& s, std::vector<LumenCap>& ends) {
   if (swap) std::swap(ends[0], ends[1]);
 }
 
+/// Of several outlets all must be told by name; whatever else there is would leak.
+void requireNamedTree(const TriSurface& s, const std::vector<LumenCap>& ends, std::size_t rims) {
+  if (ends.size() > mostOutlets + 1)
+    refuseLumen(fmt::format("it has {} outlets; at most {} are supported", ends.size() - 1, mostOutlets));
+  if (ends.front().named != SurfaceRegion::inlet)
+    refuseLumen(fmt::format("{} solids are named as outlets, but none as the inlet", ends.size()));
+  if (rims > 0)
+    refuseLumen(
+        fmt::format("it has {} outlets that are named, and {} open: close it, and name what closes it as an outlet",
+                    ends.size() - 1, rims == 1 ? "one end that is" : fmt::format("{} ends that are", rims)));
+  for (std::size_t n = 2; n < ends.size(); ++n)
+    if (ends[n].solid == ends[n - 1].solid)
+      refuseLumen(fmt::format("two outlets are named '{}', around {} and {}: give them names of their own",
+                              ends[n].solid, shownPlace(ends[n - 1].centre(s)), shownPlace(ends[n].centre(s))));
+}
+
 void requireSize(const TriSurface& s, const std::vector<LumenCap>& ends) {
   const double a = ends[0].diameter(s), b = ends[1].diameter(s);
   const double ratio = std::min(a, b) / std::max(a, b);
-  if (ratio * ratio < leastAreaRatio)
+  // A branch may be as narrow as that
+  if (ends.size() == 2 && ratio * ratio < leastAreaRatio)
     refuseLumen(
         fmt::format("its two planar ends are {:.3g} and {:.3g} mm wide: the smaller looks like a hole, and "
                     "an end is missing",
                     1e3 * a, 1e3 * b));
-  for (const double d : {a, b})
-    if (!(d >= leastDiameter && d <= largestDiameter))
+  for (const LumenCap& end : ends)
+    if (const double d = end.diameter(s); !(d >= leastDiameter && d <= largestDiameter))
       refuseLumen(
           fmt::format("an end is {:.4g} mm wide, not between {:g} and {:g} mm: is the length unit right?",
                       1e3 * d, 1e3 * leastDiameter, 1e3 * largestDiameter));
@@ -174,7 +192,7 @@ void requireWall(const SurfaceSolids& file) {
 
 }  // namespace
 
-DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metresPerUnit) {
+DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metresPerUnit, Outlets outlets) {
   SurfaceSolids file = readSurfaceSolids(path, metresPerUnit);
   TriSurface& s = file.surface;
   requireDepth(s);
@@ -192,26 +210,34 @@ DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metr
   if (std::ranges::max(pieceOf) > 0) refusePieces(file, pieceOf);
   const SurfaceEdges edges = surfaceEdges(s);
   if (edges.opposed > 0) refuseLumen("it has only one side, like a Moebius strip");
-  std::vector<LumenCap> ends = namedEnds(file, named, edges);
+  std::vector<LumenCap> ends = namedEnds(file, named, edges, outlets);
   const std::vector<Rim> rims = endRims(s, edges);
   // Before ends are closed and made planar: in the file's own shape, and not where that moves vertices
   if (const SurfaceCrossings crossings = surfaceCrossings(s, pieceOf); crossings.edges > 0)
     refuseLumen(fmt::format("it passes through itself: {} {} through other triangles of it, {} at {}",
                             crossings.edges, crossings.edges == 1 ? "edge goes" : "edges go",
                             crossings.edges == 1 ? "that" : "one", shownPlace(crossings.place)));
-  refuseManyRims(s, rims);
-  for (const Rim& rim : rims) ends.push_back(closeRim(s, rim));
-  turnOutwards(s);
-
-  ends = findEnds(s, std::move(ends), rims.size());
+  const bool isTree = std::ranges::count(ends, SurfaceRegion::outlet, &LumenCap::named) > 1;
+  if (isTree) {
+    requireNamedTree(s, ends, rims.size());
+    turnOutwards(s);
+  } else {
+    refuseManyRims(s, rims);
+    for (const Rim& rim : rims) ends.push_back(closeRim(s, rim));
+    turnOutwards(s);
+    ends = findEnds(s, std::move(ends), rims.size());
+  }
   requireSize(s, ends);
   requireEndsOfWall(file, ends);
   for (const LumenCap& end : ends) flatten(s, end);
-  sortEnds(s, ends);
+  if (!isTree) sortEnds(s, ends);
   for (const auto t : ends[0].triangles) s.region[t] = SurfaceRegion::inlet;
-  for (const auto t : ends[1].triangles) s.region[t] = SurfaceRegion::outlet;
+  for (std::size_t n = 1; n < ends.size(); ++n)
+    for (const auto t : ends[n].triangles) s.region[t] = outletRegion(n - 1);
   requireWall(file);
   DescribedLumen result;
+  for (const LumenCap& end : ends)
+    if (isTree && end.named == SurfaceRegion::outlet) result.outlets.push_back(end.solid);
   result.parts = lumenParts(file, ends);
   if (std::string faces = remarkOnOtherFaces(file, ends); !faces.empty())
     result.remarks.push_back(std::move(faces));
@@ -220,15 +246,17 @@ DescribedLumen loadDescribedLumen(const std::filesystem::path& path, double metr
   return result;
 }
 
-DescribedLumen loadDescribedLumen(const VesselParameters& vessel) {
-  return loadDescribedLumen(vessel.lumenSurface, metresPer(vessel.lumenSurfaceUnit));
+DescribedLumen loadDescribedLumen(const VesselParameters& vessel, Outlets outlets) {
+  return loadDescribedLumen(vessel.lumenSurface, metresPer(vessel.lumenSurfaceUnit), outlets);
 }
 
-TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit) {
-  return loadDescribedLumen(file, metresPerUnit).surface;
+TriSurface loadLumen(const std::filesystem::path& file, double metresPerUnit, Outlets outlets) {
+  return loadDescribedLumen(file, metresPerUnit, outlets).surface;
 }
 
-TriSurface loadLumen(const VesselParameters& vessel) { return loadDescribedLumen(vessel).surface; }
+TriSurface loadLumen(const VesselParameters& vessel, Outlets outlets) {
+  return loadDescribedLumen(vessel, outlets).surface;
+}
 
 double endDiameter(const TriSurface& lumen, SurfaceRegion end) {
   Vec3 sum = Vec3::Zero();

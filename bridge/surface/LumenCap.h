@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bridge/surface/SurfaceEnds.h"
@@ -16,10 +17,14 @@ namespace restenosis {
 /// How far an end may be from a plane, over its diameter (assumed); it is made planar.
 constexpr double lumenEndPlanarity = 0.02;
 
+/// How many outlets a lumen may have. Several are solids of their own, and so is the inlet.
+enum class Outlets { one, several };
+
 /// One end of a loaded lumen: its triangles, and which it is where a solid's name says so.
 struct LumenCap {
   std::vector<std::uint32_t> triangles;
   std::optional<SurfaceRegion> named;
+  std::string solid = {};  ///< name of an outlet's, where there may be several
 
   /// Sum over its triangles [m^2].
   Vec3 areaVector(const TriSurface& s) const {

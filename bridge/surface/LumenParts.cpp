@@ -77,8 +77,8 @@ Eigen::Index axisBetween(const TriSurface& surface, const std::vector<LumenCap>&
 
 std::vector<std::string> lumenParts(const SurfaceSolids& file, const std::vector<LumenCap>& ends) {
   const TriSurface& s = file.surface;
-  std::vector<std::string> lines{endLine(file, ends[0], SurfaceRegion::inlet),
-                                 endLine(file, ends[1], SurfaceRegion::outlet)};
+  std::vector<std::string> lines{endLine(file, ends[0], SurfaceRegion::inlet)};
+  for (std::size_t n = 1; n < ends.size(); ++n) lines.push_back(endLine(file, ends[n], outletRegion(n - 1)));
   for (const SurfaceRegion region : {SurfaceRegion::wall, SurfaceRegion::strut}) {
     const auto triangles = trianglesOf(s, region);
     if (triangles.empty()) {
@@ -102,7 +102,7 @@ std::string remarkOnOtherFaces(const SurfaceSolids& file, const std::vector<Lume
   std::size_t faces = 0;
   for (auto& triangles : planarCaps(s, surfaceEdges(s))) {
     const SurfaceRegion region = s.region[triangles.front()];
-    if (region == SurfaceRegion::inlet || region == SurfaceRegion::outlet) continue;
+    if (isEnd(region)) continue;
     const LumenCap face{std::move(triangles), std::nullopt};
     if (++faces > placesShown) continue;
     list += fmt::format("{} {:.4g} mm wide around {}, in {}", faces == 1 ? "" : ";", 1e3 * face.diameter(s),

@@ -10,7 +10,7 @@ namespace restenosis {
 
 /// The parts of a loaded lumen, inlet, outlet, wall and strut, one a line, each with its area, its place and
 /// the solids or rims that it came from, and by what the inlet was told. `file` has the surface with its
-/// regions; `ends`: inlet and outlet.
+/// regions; `ends`: the inlet, then the outlets.
 std::vector<std::string> lumenParts(const SurfaceSolids& file, const std::vector<LumenCap>& ends);
 
 /// That solids are named as struts which the shape does not show to be any: they are more than half of the

@@ -26,7 +26,7 @@ std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
   std::set<std::uint32_t> left(end.triangles.begin(), end.triangles.end());
   std::vector<LumenCap> pieces;
   while (!left.empty()) {
-    LumenCap piece{{*left.begin()}, end.named};
+    LumenCap piece{{*left.begin()}, end.named, end.solid};
     left.erase(left.begin());
     for (std::size_t n = 0; n < piece.triangles.size(); ++n)
       for (const std::uint32_t other : edges.beyond[piece.triangles[n]])
@@ -44,8 +44,9 @@ std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
                         shownSolids(file, pieces[n].triangles), 1e3 * pieces[n].diameter(file.surface),
                         shownPlace(pieces[n].centre(file.surface)));
   refuseLumen(
-      fmt::format("what is named {} is {} separate pieces: {}{}; it must be one end. One inlet and one "
-                  "outlet are supported: of a bifurcation take one branch, and close the others",
+      fmt::format("what is named {} is {} separate pieces: {}{}; it must be one end. Of a "
+                  "bifurcation take one branch, and close the others; or, without tissue, make each end a solid "
+                  "of its own, and name the outlets in a table ('outlets' in [flow])",
                   regionName(which), pieces.size(), list, pieces.size() > placesShown ? ", and more" : ""));
 }
 
@@ -88,18 +89,32 @@ std::vector<std::optional<SurfaceRegion>> namedRegions(const SurfaceSolids& file
 
 std::vector<LumenCap> namedEnds(const SurfaceSolids& file,
                                 const std::vector<std::optional<SurfaceRegion>>& regions,
-                                const SurfaceEdges& edges) {
+                                const SurfaceEdges& edges, Outlets outlets) {
   std::vector<LumenCap> ends;
-  for (const SurfaceRegion which : {SurfaceRegion::inlet, SurfaceRegion::outlet}) {
+  const auto add = [&](LumenCap end) {
+    if (end.triangles.empty()) return;
+    const auto pieces = piecesOf(end, edges);
+    if (pieces.size() > 1) refusePieces(file, *end.named, pieces);
+    requirePlanar(file, end);
+    ends.push_back(std::move(end));
+  };
+  const auto named = [&](SurfaceRegion which) {
     LumenCap end{{}, which};
     for (std::uint32_t t = 0; t < file.solid.size(); ++t)
       if (regions[file.solid[t]] == which) end.triangles.push_back(t);
-    if (end.triangles.empty()) continue;
-    const auto pieces = piecesOf(end, edges);
-    if (pieces.size() > 1) refusePieces(file, which, pieces);
-    requirePlanar(file, end);
-    ends.push_back(std::move(end));
+    return end;
+  };
+  add(named(SurfaceRegion::inlet));
+  if (outlets == Outlets::one) {
+    add(named(SurfaceRegion::outlet));
+    return ends;
   }
+  const auto first = static_cast<std::ptrdiff_t>(ends.size());
+  for (std::uint32_t solid = 0; solid < file.names.size(); ++solid)
+    if (regions[solid] == SurfaceRegion::outlet)
+      add({trianglesOf(file, solid), SurfaceRegion::outlet, file.names[solid]});
+  std::sort(ends.begin() + first, ends.end(),
+            [](const LumenCap& a, const LumenCap& b) { return a.solid < b.solid; });
   return ends;
 }
 

@@ -15,10 +15,11 @@ namespace restenosis {
 std::vector<std::optional<SurfaceRegion>> namedRegions(const SurfaceSolids& file);
 
 /// The ends that solids are named to be. Throws std::runtime_error, naming the solids, with their size and
-/// place, where what is named one end is none: in several pieces, or not planar (`lumenEndPlanarity`).
+/// place, where what is named one end is none: in several pieces, or not planar (`lumenEndPlanarity`). The
+/// inlet comes first. Of several outlets each is a solid, and they are sorted by name.
 std::vector<LumenCap> namedEnds(const SurfaceSolids& file,
                                 const std::vector<std::optional<SurfaceRegion>>& regions,
-                                const SurfaceEdges& edges);
+                                const SurfaceEdges& edges, Outlets outlets = Outlets::one);
 
 /// How large triangles are and where, for messages: "576 triangles of 11.3 mm2 from (0, 0, 0) to (1, 1, 2)
 /// mm".

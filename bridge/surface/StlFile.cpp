@@ -27,9 +27,6 @@
 namespace restenosis {
 namespace {
 
-constexpr std::array allRegions{SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet,
-                                SurfaceRegion::outlet};
-
 /// Distance below which vertices are one, over the diagonal of the surface's box.
 constexpr double mergedWithin = 1e-6;
 /// Distance from the middle of a surface, over that of half of its vertices, beyond which a vertex is astray
@@ -143,8 +140,18 @@ SurfaceSolids weld(const FileTriangles& triangles, double within, double metresP
 }  // namespace
 
 std::string_view regionName(SurfaceRegion region) {
-  constexpr std::array<std::string_view, 4> names{"wall", "strut", "inlet", "outlet"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"wall", "strut", "inlet", "outlet"};
+    for (std::size_t n = 2; n <= mostOutlets; ++n) all.push_back(fmt::format("outlet{}", n));
+    return all;
+  }();
   return names[static_cast<std::size_t>(region)];
+}
+
+std::vector<SurfaceRegion> allRegions(const TriSurface& surface) {
+  std::vector<SurfaceRegion> regions{SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet};
+  for (std::size_t n = 0; n < surface.outletCount(); ++n) regions.push_back(outletRegion(n));
+  return regions;
 }
 
 void writeStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit,
@@ -172,7 +179,7 @@ void writeStl(const std::filesystem::path& file, const TriSurface& surface, doub
 void writeNamedStl(const std::filesystem::path& file, const TriSurface& surface, double metresPerUnit) {
   std::string content;
   auto out = std::back_inserter(content);
-  for (const SurfaceRegion region : allRegions) {
+  for (const SurfaceRegion region : allRegions(surface)) {
     if (std::find(surface.region.begin(), surface.region.end(), region) == surface.region.end()) continue;
     fmt::format_to(out, "solid {}\n", regionName(region));
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {

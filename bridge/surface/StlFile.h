@@ -43,5 +43,7 @@ SurfaceSolids readSurfaceSolids(const std::filesystem::path& file, double metres
 void markEnds(TriSurface& surface, double length, double tolerance);
 
 std::string_view regionName(SurfaceRegion region);
+/// Those that a surface may have: wall, strut, inlet and each of its outlets.
+std::vector<SurfaceRegion> allRegions(const TriSurface& surface);
 
 }  // namespace restenosis

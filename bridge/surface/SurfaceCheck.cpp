@@ -50,7 +50,7 @@ void checkShapes(const TriSurface& s, SurfaceReport& report) {
     const double longest =
         std::max({(s.vertices[c[0]] - s.vertices[c[1]]).norm(), (s.vertices[c[1]] - s.vertices[c[2]]).norm(),
                   (s.vertices[c[2]] - s.vertices[c[0]]).norm()});
-    const bool cap = s.region[t] == SurfaceRegion::inlet || s.region[t] == SurfaceRegion::outlet;
+    const bool cap = isEnd(s.region[t]);
     const double doubleArea = 2 * s.areaVector(t).norm();
     if (cap ? doubleArea <= 0 : doubleArea <= leastHeight * longest * longest) ++degenerate;
   }

@@ -7,7 +7,6 @@
 namespace restenosis {
 namespace {
 
-bool isCap(SurfaceRegion r) { return r == SurfaceRegion::inlet || r == SurfaceRegion::outlet; }
 
 /// Vertex neighbours in compressed rows, in the fixed order of the triangles. A vertex on a rim (between cap
 /// and wall) has only its neighbours along the rim.
@@ -18,7 +17,7 @@ struct Neighbours {
 
   explicit Neighbours(const TriSurface& s) : place(s.vertices.size(), 0), start(s.vertices.size() + 1, 0) {
     for (std::size_t t = 0; t < s.triangles.size(); ++t)
-      for (const auto v : s.triangles[t]) place[v] |= isCap(s.region[t]) ? onCap : onWall;
+      for (const auto v : s.triangles[t]) place[v] |= isEnd(s.region[t]) ? onCap : onWall;
     // In a closed surface every edge is met once in each direction, so directed edges list each neighbour
     // once.
     forEach(s, [&](std::uint32_t from, std::uint32_t) { ++start[from + 1]; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,11 +10,21 @@
 
 namespace restenosis {
 
-/// What a face of the lumen surface belongs to.
+/// What a face of the lumen surface belongs to. Of several outlets the first is `outlet`, and the others
+/// follow it (outletRegion).
 enum class SurfaceRegion : std::uint8_t { wall, strut, inlet, outlet };
 
+constexpr bool isOutlet(SurfaceRegion region) { return region >= SurfaceRegion::outlet; }
+constexpr bool isEnd(SurfaceRegion region) { return region >= SurfaceRegion::inlet; }
+/// The n-th outlet, from 0.
+constexpr SurfaceRegion outletRegion(std::size_t n) {
+  return static_cast<SurfaceRegion>(static_cast<std::size_t>(SurfaceRegion::outlet) + n);
+}
+/// Most outlets of a lumen.
+inline constexpr std::size_t mostOutlets = 64;
+
 /// A closed triangulated lumen surface [m]. Normals (right-hand rule) point out of the lumen, into the wall.
-/// The ends are planar and carry the regions inlet and outlet.
+/// The ends are planar and carry the regions inlet and outlet; there is one inlet.
 struct TriSurface {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -27,6 +38,12 @@ struct TriSurface {
   Vec3 centre(std::size_t triangle) const {
     const auto& t = triangles[triangle];
     return (vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) / 3.0;
+  }
+  /// One, as a rule.
+  std::size_t outletCount() const {
+    const auto last = std::max_element(region.begin(), region.end());
+    if (last == region.end() || !isOutlet(*last)) return 0;
+    return static_cast<std::size_t>(*last) - static_cast<std::size_t>(SurfaceRegion::outlet) + 1;
   }
 
   template <class Archive>

@@ -8,7 +8,8 @@ import csv
 import sys
 from pathlib import Path
 
-from study import Study, WrongStudy, at_day, read_rows
+from kept import Kept
+from study import Study, WrongStudy, at_day
 
 
 def write(file, lines):
@@ -18,11 +19,14 @@ def write(file, lines):
 
 def main():
     study = Study(sys.argv[1])
+    kept = Kept(study)
     numbered = ["point"] if study.points else []
     curves, table = [["scene", *study.grid, *numbered, "seed", "day", *study.columns]], []
     values = {}
     for run in study.runs.values():
-        rows = read_rows(Path("runs") / run.name)
+        if run not in kept:
+            kept.add(run.name, Path("runs") / run.name)  # where it ended before the study kept any
+        rows = kept.rows(run, Path("runs") / run.name)
         place = [run.scene.stem, *([] if run.number else [value for _, value in run.point])]
         for row in rows:
             curves.append([*place, *([run.number] if run.number else []), run.seed, row["day"], *(row[column] for column in study.columns)])

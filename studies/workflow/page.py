@@ -2,11 +2,11 @@
 """Prints the page of a study: figure, table, and its runs. Usage, in the folder of its results: page.py STUDY.toml"""
 import base64
 import csv
-import json
 import sys
 from html import escape
 from pathlib import Path
 
+from kept import Kept
 from study import Study
 
 STYLE = """body { font: 16px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em }
@@ -27,16 +27,16 @@ def table(lines):
 
 
 study = Study(sys.argv[1])
+kept = Kept(study)
 with open("table.csv", newline="") as file:
     results = list(csv.reader(file))
 runs = [["run", "status", "version", "hours", "peak memory [MiB]", "digest"]]
-for name in study.runs:
+for name, run in study.runs.items():
     folder = Path("runs") / name
-    summary = json.loads((folder / "summary.json").read_text())
+    line = kept.line(run, folder)
     page = folder / "report.html"
-    runs.append([(name, str(page)) if page.exists() else name, summary["status"], summary["version"],
-                 f"{summary['totalSeconds'] / 3600:.2f}",
-                 f"{max(part['peakMemory_MiB'] for part in summary['parts'].values()):.0f}", summary["stateDigest"]])
+    runs.append([(name, str(page)) if page.exists() else name, line["status"], line["version"],
+                 f"{float(line['seconds']) / 3600:.2f}", line["peak_MiB"], line["digest"]])
 picture = base64.b64encode(Path("figure.png").read_bytes()).decode()
 title = escape(study.title or study.file.parent.name)
 over = f"{len(study.runs)} points" if study.points else f"{len(study.seeds)} seed{'s' if len(study.seeds) > 1 else ''}"

@@ -17,7 +17,7 @@ ENDED = ("finished", "occluded")
 # Keys of a study: kind, and what holds without it. What has no such value must be there.
 KEYS = {"title": (str, ""), "scenes": (list, None), "seeds": (list, [1]), "threads": (int, 1), "ranks": (int, 1),
         "memory_MiB": (int, 2048), "columns": (list, None), "days": (list, None), "settings": (dict, {}),
-        "grid": (dict, {}), "points": (str, ""), "first": (int, 0)}
+        "grid": (dict, {}), "points": (str, ""), "first": (int, 0), "kept": (str, "")}
 
 
 class WrongStudy(Exception):
@@ -131,13 +131,24 @@ class Study:
         return runs
 
 
-def read_rows(folder):
-    """timeSeries.csv of a run that has ended: {column: number, or None where it is empty}, by recorded step."""
+def read_summary(folder):
+    """summary.json of a run that has ended."""
     summary = json.loads((folder / "summary.json").read_text())
     if summary["status"] not in ENDED:
         raise WrongStudy(f"{folder}: the run has not ended: {summary['status']}")
+    return summary
+
+
+def numbers(row):
+    """A line of a table of numbers: {column: number, or None where it is empty}."""
+    return {column: float(text) if text else None for column, text in row.items()}
+
+
+def read_rows(folder):
+    """timeSeries.csv of a run that has ended: numbers, by recorded step."""
+    read_summary(folder)
     with open(folder / "timeSeries.csv", newline="") as file:
-        return [{column: float(text) if text else None for column, text in row.items()} for row in csv.DictReader(file)]
+        return [numbers(row) for row in csv.DictReader(file)]
 
 
 def at_day(rows, column, day):

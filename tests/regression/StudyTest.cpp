@@ -109,6 +109,36 @@ TEST_F(Studies, ATableOfPointsIsOneGroup) {
             2);
 }
 
+TEST_F(Studies, WhatIsKeptNeedsNoFolder) {
+  writeText(folder / "study.toml", with(study, "days", "kept = \"kept\"\ndays"));
+  for (const char* name : {"12_h_seed1", "12_h_seed2", "16_h_seed1", "16_h_seed2"}) {
+    const fs::path run = folder / (std::string("out/runs/tiny_cellCycle.g1Mean=") + name);
+    fs::create_directories(run);
+    writeText(run / "summary.json", R"({"status": "finished", "version": "1", "stateDigest": "abc",
+      "totalSeconds": 3.21, "parts": {"relax": {"seconds": 2.5, "peakMemory_MiB": 7.4}}})");
+    writeText(run / "timeSeries.csv", "day,smc,divisions\n0,100,0\n0.5,,1\n1,200,2\n");
+  }
+  ProcessEnd end = script("collect.py");
+  ASSERT_EQ(end.status, 0) << toString(end);
+  const std::string table = readText(folder / "out/table.csv");
+  const std::string runs = readText(folder / "kept/runs.csv");
+  EXPECT_EQ(runs.find("run,status,version,digest,seconds,peak_MiB,peakChildProcess_MiB,relax_s\n"
+                      "tiny_cellCycle.g1Mean=12_h_seed1,finished,1,abc,3.2,7,0,2.5\n"),
+            0U)
+      << runs;
+  fs::remove_all(folder / "out/runs");
+  const std::string kept = readText(folder / "kept/curves.csv");
+  EXPECT_NE(kept.find("tiny_cellCycle.g1Mean=16_h_seed1,0.5,\n"), std::string::npos) << kept;
+  end = script("collect.py");
+  ASSERT_EQ(end.status, 0) << toString(end);
+  EXPECT_EQ(readText(folder / "out/table.csv"), table);
+  EXPECT_EQ(readText(folder / "kept/curves.csv"), kept);
+  writeText(folder / "kept/curves.csv", "run,day,smc\n");
+  end = script("collect.py");
+  EXPECT_EQ(end.status, 1);
+  EXPECT_NE(end.err.find("curves.csv: no run tiny_cellCycle.g1Mean=12_h_seed1"), std::string::npos) << end.err;
+}
+
 TEST_F(Studies, ARunThatIsMissingIsNamed) {
   writeText(folder / "study.toml", std::string(study));
   fs::create_directories(folder / "out");

@@ -92,6 +92,13 @@ void VesselParameters::describe(ParameterVisitor& p) {
               .maximum = 10000,
               .source = "docs/model/curved.md",
               .description = "radius of the arc that the vessel's axis is bent to; 0: straight"});
+  p.file(centreline,
+         {.key = "centreline",
+          .source = "none",
+          .description = "axis of a bent vessel: a CSV table (x, y, z, and radius of the lumen where it is "
+                         "known), or one line in VTK's format, as VMTK writes it (.vtp)"});
+  p.choice(centrelineUnit, {"m", "cm", "mm", "um"},
+           {.key = "centrelineUnit", .source = "assumed", .description = "length unit of 'centreline'"});
   p.file(agents,
          {.key = "agents",
           .source = "none",

@@ -24,11 +24,13 @@ struct VesselParameters {
   double stenosis = 0.0;           ///< largest share of the diameter removed, halfway along
   double stenosisLength = 1.8e-3;  ///< [m]
   double curvatureRadius = 0.0;    ///< of the axis [m]; 0: straight
+  std::string centreline;          ///< table or polyline of the axis, with radii or without
+  std::string centrelineUnit = "mm";
   std::string agents;              ///< CSV of agents to load instead of packing
   std::string lumenSurface;        ///< STL of the lumen to use instead of a cylinder
   std::string lumenSurfaceUnit = "mm";
 
-  bool isBent() const { return curvatureRadius > 0; }
+  bool isBent() const { return curvatureRadius > 0 || !centreline.empty(); }
   void describe(ParameterVisitor& p);
 };
 

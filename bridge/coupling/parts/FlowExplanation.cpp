@@ -71,6 +71,12 @@ std::vector<PlannedPart> FlowPart::explain(const Scene& scene) {
                                    scene.flow->wallViscosity(scene.vessel.lumenDiameter))
                          .womersleyNumber(),
                      beating->meanStress ? "the mean stress of the last" : "the steady flow's stress")});
+  for (const Outlet& outlet : scene.flow->outletsOfTable())
+    parts.push_back({"outlet", true,
+                     outlet.resistance > 0
+                         ? fmt::format("{}: what {:.3g} mmHg min/ml behind it let through", outlet.name,
+                                       outlet.resistance / (60e6 * mmHg))
+                         : fmt::format("{}: {:.3g} % of the flow", outlet.name, 100 * outlet.share)});
   if (const auto distal = scene.flow->distal(scene.vessel.lumenDiameter))
     parts.push_back(
         {"distal resistance", true,

@@ -93,6 +93,7 @@ void FlowPart::solve(FlowState& flow, const TriSurface& lumen, const Instant& no
   const std::filesystem::path folder = folder_.flowCase(now.time);
   FlowConditions conditions = scene_.flow->conditions(scene_.vessel.lumenDiameter);
   conditions.beating = scene_.flow->beating();
+  conditions.outlets = scene_.flow->outletsOfTable();
   const bool asBefore = settings_ == flow.settings;
   // What other settings have left is neither the mesh nor the flow that these would
   if (flow.solves > 0 && asBefore && !flow.fromRest) backend_->startFrom(folder_.flowCase(flow.time));

@@ -4,6 +4,7 @@
 
 #include "bridge/flow/DistalResistance.h"
 #include "bridge/flow/FlowBackendNames.h"
+#include "bridge/flow/OutletResistances.h"
 #include "bridge/flow/StraightEnds.h"
 #include "bridge/flow/analytic/AnalyticBackend.h"
 #include "bridge/flow/foam/FoamBackend.h"
@@ -44,6 +45,7 @@ std::unique_ptr<FlowBackend> makeFlowBackend(std::string_view name, const FlowBa
       auto backend = entry.make(options);
       if (options.straightEnds > 0.0)
         backend = std::make_unique<StraightEnds>(std::move(backend), options.straightEnds);
+      backend = std::make_unique<OutletResistances>(std::move(backend));
       return std::make_unique<DistalResistance>(std::move(backend));
     }
   throw std::invalid_argument(fmt::format("there is no flow backend '{}'; valid names: {}", name,

@@ -10,6 +10,7 @@
 #include "bridge/flow/foam/AttemptLogs.h"
 #include "bridge/flow/foam/FoamBeats.h"
 #include "bridge/flow/foam/FoamLog.h"
+#include "bridge/flow/foam/FoamOutlets.h"
 #include "bridge/flow/foam/FoamRun.h"
 #include "bridge/flow/foam/FoamTemplate.h"
 #include "bridge/flow/foam/FoamVelocity.h"
@@ -230,6 +231,8 @@ void FoamBackend::prepare(const fs::path& folder, const TriSurface& surface, con
   const FoamSettings settings = settingsFor(how.cells);
   writeLumenParameters(parameters, lumen, conditions, settings, how.effort, execution_.ranks);
   atomicWrite(file, parameters.text());
+  const auto outlets = folder / "system/outlets";
+  atomicWrite(outlets, outletsText(foamLog::read(outlets), conditions));
   const fs::path surfaces = folder / "constant/triSurface";
   writeLumenStl(surface, lumen.ends, overshootCells * settings.cellSize, surfaces / "lumen.stl");
   if (lumen.ends != LumenEnds::cut) writeRims(surface, lumen.ends, surfaces / "rims.obj");

@@ -10,6 +10,7 @@
 #include "bridge/flow/foam/MeshMorph.h"
 #include "bridge/flow/foam/OGrid.h"
 #include "bridge/flow/foam/WallPatch.h"
+#include "bridge/surface/StlFile.h"
 #include "bridge/system/AtomicFile.h"
 #include "tissue/parameters/LengthUnits.h"
 
@@ -98,7 +99,10 @@ double FoamRun::checkMesh() {
 void FoamRun::checkEnds() {
   std::vector<PolyMesh> meshes;
   for (const auto& part : steps_.parts()) meshes.push_back(readPolyMesh(part));
-  for (const auto& [name, end] : {std::pair{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}}) {
+  std::vector<std::pair<std::string_view, const EndPlane*>> ends{{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}};
+  for (std::size_t n = 0; n < lumen_.furtherOutlets.size(); ++n)
+    ends.emplace_back(regionName(outletRegion(n + 1)), &lumen_.furtherOutlets[n]);
+  for (const auto& [name, end] : ends) {
     double area = 0.0;
     for (const PolyMesh& mesh : meshes) area += mesh.patchArea(name);
     const double cutCorners = cornersCut * settings_.wallCell() * end->perimeter;
@@ -183,6 +187,12 @@ void FoamRun::checkPatches() {
                     "(see {})",
                     faces["outlet"] == 0 ? "outlet" : "inlet", steps_.log("snappyHexMesh").string()),
         steps_.log("snappyHexMesh"));
+  for (std::size_t n = 1; n <= lumen_.furtherOutlets.size(); ++n)
+    if (const std::string name(regionName(outletRegion(n))); faces[name] == 0)
+      throw FlowFailed(fmt::format("snappyHexMesh: the mesh does not reach the outlet '{}': its branch is closed, or "
+                                   "too narrow for these cells (see {})",
+                                   conditions_.outlets[n].name, steps_.log("snappyHexMesh").string()),
+                       steps_.log("snappyHexMesh"));
   if (faces["wall"] == 0) steps_.fail("snappyHexMesh", "the mesh has no faces on the wall");
   meshHasStruts_ = faces["strut"] > 0;
   if (!lumen_.hasStruts() || meshHasStruts_) return;
@@ -222,10 +232,12 @@ double FoamRun::reported(const std::string& function) const {
 }
 
 void FoamRun::checkFlow() {
-  const double in = -reported("inletFlow"), out = reported("outletFlow");
+  const double in = -reported("inletFlow");
+  double out = reported("outletFlow");
   if (!(in > 0.0))
     steps_.fail("simpleFoam", fmt::format("blood leaves through the inlet ({:.4g} m^3/s)", -in));
   solution_.flowRate = in;
+  out += checkOutlets(out);
   solution_.massImbalance = std::abs(out - in) / in;
   if (!(solution_.massImbalance <= settings_.massTolerance))
     steps_.fail("simpleFoam", fmt::format("{:.4g} m^3/s flow in but {:.4g} out", in, out));
@@ -244,6 +256,26 @@ void FoamRun::checkFlow() {
         fmt::format("the pressure rises along the flow, by {:.4g} Pa, more than blood that slows down can "
                     "regain ({:.4g} Pa)",
                     -solution_.pressureDrop, mostRegained));
+}
+
+double FoamRun::checkOutlets(double throughFirst) {
+  if (lumen_.furtherOutlets.empty()) return 0;
+  const double ownPressure = reported("outletPressure");
+  solution_.outlets = {{.flowRate = throughFirst}};
+  double sum = 0;
+  for (std::size_t n = 1; n <= lumen_.furtherOutlets.size(); ++n) {
+    const std::string name(regionName(outletRegion(n)));
+    const double flowRate = reported(name + "Flow"), pressure = reported(name + "Pressure") - ownPressure;
+    solution_.outlets.push_back({flowRate, conditions_.density * pressure});
+    sum += flowRate;
+  }
+  for (std::size_t n = 0; n < solution_.outlets.size(); ++n) {
+    const double is = solution_.outlets[n].flowRate, should = conditions_.outlets[n].share * conditions_.flowRate;
+    if (!(std::abs(is - should) <= settings_.massTolerance * conditions_.flowRate))
+      steps_.fail("simpleFoam", fmt::format("{:.4g} m^3/s leave through the outlet '{}' instead of {:.4g}", is,
+                                            conditions_.outlets[n].name, should));
+  }
+  return sum;
 }
 
 void FoamRun::readWall() {

@@ -50,6 +50,8 @@ class FoamRun {
   /// Whether the ends of the mesh are those of the lumen.
   void checkEnds();
   void checkFlow();
+  /// Notes what goes through each of several outlets, and returns the sum of those beside the first [m^3/s].
+  double checkOutlets(double throughFirst);
   void readWall();
   void putTogether();
   double reported(const std::string& function) const;

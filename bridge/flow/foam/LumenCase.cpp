@@ -219,6 +219,8 @@ LumenCase measureLumen(const TriSurface& lumen, const FoamSettings& settings) {
   LumenCase result;
   result.inlet = endPlane(lumen, SurfaceRegion::inlet);
   result.outlet = endPlane(lumen, SurfaceRegion::outlet);
+  for (std::size_t n = 1; n < lumen.outletCount(); ++n)
+    result.furtherOutlets.push_back(endPlane(lumen, outletRegion(n)));
   result.profile = developedProfile(lumen);
   result.volume = enclosedVolume(lumen);
   result.low = result.high = lumen.vertices[lumen.triangles.front()[0]];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/flow/LumenShape.h"
@@ -21,6 +22,7 @@ enum class LumenEnds {
 /// The lumen as the OpenFOAM case needs it, in SI units.
 struct LumenCase {
   EndPlane inlet, outlet;
+  std::vector<EndPlane> furtherOutlets;  ///< beside the first
   InletProfile profile;
   LumenEnds ends = LumenEnds::cut;
   Vec3 low, high;  ///< bounding box

@@ -23,8 +23,6 @@ void facet(fmt::memory_buffer& out, const Vec3& a, const Vec3& b, const Vec3& c)
   fmt::format_to(it, "endloop\nendfacet\n");
 }
 
-bool isEnd(SurfaceRegion region) { return region == SurfaceRegion::inlet || region == SurfaceRegion::outlet; }
-
 bool isCut(SurfaceRegion region, LumenEnds ends) {
   if (ends == LumenEnds::inletCut) return region == SurfaceRegion::inlet;
   return ends == LumenEnds::cut && isEnd(region);
@@ -71,8 +69,7 @@ void writeLumenStl(const TriSurface& lumen, LumenEnds ends, double overshoot,
   }
 
   fmt::memory_buffer out;
-  for (const SurfaceRegion region :
-       {SurfaceRegion::wall, SurfaceRegion::strut, SurfaceRegion::inlet, SurfaceRegion::outlet}) {
+  for (const SurfaceRegion region : allRegions(lumen)) {
     if (isCut(region, ends)) continue;
     bool begun = false;
     for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
