@@ -139,7 +139,7 @@ std::string rangeText(const std::string& few, const std::string& many) {
 /// Agents of the wall that is packed: as many as its shape is given.
 double packedAgents(const Scene& scene) {
   const VesselParameters& vessel = scene.vessel;
-  const WallShape shape = vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel);
+  const WallShape shape = hasOwnLumen(vessel) ? loadedWallShape(vessel) : cylindricalShape(vessel);
   return countAgents(vessel, shape).total();
 }
 

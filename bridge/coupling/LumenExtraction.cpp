@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <span>
 
-#include "bridge/surface/CylinderSurface.h"
 #include "bridge/surface/Histology.h"
 #include "bridge/surface/LoadedLumen.h"
 #include "bridge/surface/LumenSurface.h"
+#include "bridge/surface/VesselAxis.h"
 
 namespace restenosis {
 namespace {
@@ -24,7 +24,7 @@ constexpr double planesADiameter = 120, mostPlanes = 10000;
 
 /// The lumen of a scene without tissue.
 RadialMap tubeMap(const VesselParameters& vessel) {
-  return RadialMap::ofRound([&](double z) { return cylinderRadius(vessel, z); }, vessel.length,
+  return RadialMap::ofRound(lumenRadius(vessel), vessel.length,
                             std::max(vessel.lumenDiameter / planesADiameter, vessel.length / mostPlanes));
 }
 
@@ -69,7 +69,7 @@ const TriSurface& LumenExtraction::surface() {
     if (!field_) extractField();
     surface_ = extractSurface(*field_);
   } else {
-    surface_ = cylinderSurface(scene_.vessel);
+    surface_ = straightLumen(scene_.vessel);
   }
   field_.reset();
   return *surface_;

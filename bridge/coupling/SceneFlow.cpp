@@ -18,6 +18,12 @@ constexpr double sagitta = 1e-6;
 
 double chordOf(double radius) { return std::sqrt(8 * radius * sagitta); }
 
+/// Straight pieces of an end: it goes on along an arc, and straight behind any other axis.
+int endRings(const VesselParameters& vessel, double length) {
+  return vessel.curvatureRadius > 0 ? static_cast<int>(std::ceil(length / chordOf(vessel.curvatureRadius)))
+                                    : 1;
+}
+
 }  // namespace
 
 FlowBackendOptions flowBackendOptions(const PartContext& context) {
@@ -44,9 +50,8 @@ std::unique_ptr<FlowBackend> flowBackendFor(const Scene& scene, std::string_view
   if (axis) backend = std::make_unique<BentVessel>(std::move(backend), std::move(axis));
   // They go on along the bend
   if (own.straightEnds < options.straightEnds)
-    backend = std::make_unique<StraightEnds>(
-        std::move(backend), options.straightEnds,
-        static_cast<int>(std::ceil(options.straightEnds / chordOf(scene.vessel.curvatureRadius))));
+    backend = std::make_unique<StraightEnds>(std::move(backend), options.straightEnds,
+                                             endRings(scene.vessel, options.straightEnds));
   return backend;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bridge/scene/LoadedWall.h"
 #include "bridge/surface/SceneStent.h"
+#include "bridge/surface/VesselAxis.h"
 #include "tissue/forces/ForceField.h"
 #include "tissue/stent/Deployment.h"
 #include "tissue/stent/EscapedAgents.h"
@@ -30,11 +31,19 @@ std::string explainWall(const Scene& scene) {
 
 std::string explainBend(const Scene& scene) {
   const VesselParameters& vessel = scene.vessel;
-  std::string text = fmt::format("the axis lies on an arc of {:g} mm", 1e3 * vessel.curvatureRadius);
+  const double sharpest = sharpestRadius(vessel);
+  std::string text =
+      vessel.curvatureRadius > 0
+          ? fmt::format("the axis lies on an arc of {:g} mm", 1e3 * sharpest)
+          : fmt::format("the axis is {}, {:.4g} mm long, its radius of curvature {:.3g} mm or more{}",
+                        vessel.lumenSurfaceIsBent ? "that of sections of the surface"
+                                                  : "that of " + vessel.centreline,
+                        1e3 * vessel.length, 1e3 * sharpest,
+                        hasRadiiAlong(vessel) ? ", with radii of its own" : "");
   if (scene.hasTissue())
     text +=
         fmt::format("; tissue grows as about a straight one: distances along the outer wall are {:.2g} % off",
-                    100 * (vessel.lumenDiameter / 2 + vessel.wallThickness) / vessel.curvatureRadius);
+                    100 * (vessel.lumenDiameter / 2 + vessel.wallThickness) / sharpest);
   return text;
 }
 
@@ -78,7 +87,7 @@ Wall WallPreparation::initialWall() {
     ForceField(*scene.mechanics).setStresses(wall.agents, wall.bonds);
     return wall;
   }
-  return packWall(vessel, vessel.lumenSurface.empty() ? cylindricalShape(vessel) : loadedWallShape(vessel),
+  return packWall(vessel, hasOwnLumen(vessel) ? loadedWallShape(vessel) : cylindricalShape(vessel),
                   *scene.mechanics, *scene.relaxation, static_cast<std::uint64_t>(scene.scene.seed),
                   &state_.packing.emplace(), [this] {
                     if (options_.askedToStop()) throw Interrupted();

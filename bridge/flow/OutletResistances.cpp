@@ -8,23 +8,35 @@
 namespace restenosis {
 namespace {
 
-/// Relative difference of each outlet's flow rate solved for and that of its resistances which is small
-/// enough, and solutions at most (both assumed: as of DistalResistance).
+/// How far the pressures behind the outlets may be from each other, over what is lost between the outlet with
+/// the highest pressure and there, and solutions at most (both assumed: as of DistalResistance).
 constexpr double agreed = 0.005;
 constexpr int mostTries = 8;
 
-/// The shares that go with the resistances on the ways through the lumen and behind it.
-std::vector<double> sharesFrom(const FlowSolution& solution, const std::vector<Outlet>& outlets) {
-  std::vector<double> shares;
-  double sum = 0;
+/// What a solution says of the ways through the lumen to what lies behind it.
+struct Ways {
+  std::vector<double> shares;  ///< that go with their resistances
+  double disagreement = 0;     ///< of the pressures behind, as `agreed` has it
+};
+
+Ways waysOf(const FlowSolution& solution, const std::vector<Outlet>& outlets) {
+  Ways ways;
+  const double highest = std::ranges::max_element(solution.outlets, {}, &OutletFlow::pressure)->pressure;
+  double sum = 0, meanBehind = 0;
+  std::vector<double> behind, lost;
   for (std::size_t i = 0; i < outlets.size(); ++i) {
-    const double lost = solution.pressureDrop - solution.outlets[i].pressure;
+    const auto& [flowRate, pressure] = solution.outlets[i];
+    const double bed = outlets[i].resistance * flowRate;
     // Pressure that a wider outlet regains is not a resistance below none
-    const double own = std::max(0.0, lost / solution.outlets[i].flowRate);
-    sum += shares.emplace_back(1 / (own + outlets[i].resistance));
+    const double own = std::max(0.0, solution.pressureDrop - pressure) / flowRate;
+    sum += ways.shares.emplace_back(1 / (own + outlets[i].resistance));
+    meanBehind += behind.emplace_back(pressure - bed) / static_cast<double>(outlets.size());
+    lost.push_back(highest - pressure + bed);
   }
-  for (double& share : shares) share /= sum;
-  return shares;
+  for (double& share : ways.shares) share /= sum;
+  for (std::size_t i = 0; i < outlets.size(); ++i)
+    ways.disagreement = std::max(ways.disagreement, std::abs(behind[i] - meanBehind) / lost[i]);
+  return ways;
 }
 
 }  // namespace
@@ -43,13 +55,9 @@ FlowSolution OutletResistances::solve(const TriSurface& lumen, const FlowConditi
     solution.iterations = iterations += solution.iterations;
     solution.meshSeconds = meshSeconds += solution.meshSeconds;
     solution.solveSeconds = solveSeconds += solution.solveSeconds;
-    const std::vector<double> wanted = sharesFrom(solution, tried.outlets);
-    double farthest = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      farthest = std::max(farthest, std::abs(wanted[i] / tried.outlets[i].share - 1));
-      tried.outlets[i].share = wanted[i];
-    }
-    if (farthest < agreed) return solution;
+    const Ways ways = waysOf(solution, tried.outlets);
+    if (ways.disagreement < agreed) return solution;
+    for (std::size_t i = 0; i < ways.shares.size(); ++i) tried.outlets[i].share = ways.shares[i];
   }
   throw FlowFailed(fmt::format("the flow that each outlet's resistance lets through has not been found in {} "
                                "solutions",

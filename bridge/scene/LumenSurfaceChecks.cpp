@@ -14,7 +14,11 @@
 #include "bridge/scene/ArteryWidth.h"
 #include "bridge/scene/LoadedWall.h"
 #include "bridge/scene/SectionReader.h"
+#include "bridge/surface/CentrelineFile.h"
+#include "bridge/surface/LengthUnit.h"
 #include "bridge/surface/LoadedLumen.h"
+#include "bridge/surface/SectionAxis.h"
+#include "bridge/surface/VesselAxis.h"
 #include "bridge/surface/WallOutwards.h"
 #include "tissue/parameters/IgnoringVisitor.h"
 #include "tissue/parameters/LengthUnits.h"
@@ -56,12 +60,12 @@ class QuantityInfo final : public IgnoringVisitor {
   std::string_view key_;
 };
 
-/// Why a surface's own length cannot be the vessel's, which the scene of the results names; empty if it can.
-std::string lengthProblem(VesselParameters vessel, const Units& units) {
+/// Why a file's own length cannot be the vessel's, which the scene of the results names; empty if it can.
+std::string lengthProblem(VesselParameters vessel, const Units& units, std::string_view what) {
   QuantityInfo length("length");
   vessel.describe(length);
   if (vessel.length <= units.toSi(length.info.maximum, length.info.unit)) return {};
-  return fmt::format("its ends are {:.4g} mm apart, too long for 'length'; allowed: {}",
+  return fmt::format("{} {:.4g} mm, too long for 'length'; allowed: {}", what,
                      units.fromSi(vessel.length, "mm"), boundsText(length.info));
 }
 
@@ -78,6 +82,7 @@ std::string endsOf(const TriSurface& lumen) {
 template <class Blame>
 void checkWall(const Scene& scene, const Blame& blameVessel) {
   const VesselParameters& vessel = scene.vessel;
+  const std::string_view key = vessel.lumenSurface.empty() ? "centreline" : "lumenSurface";
   try {
     const TriSurface lumen = lumenOfTissue(vessel);
     wallOutwards(lumen, vessel);
@@ -88,11 +93,11 @@ void checkWall(const Scene& scene, const Blame& blameVessel) {
     blameVessel(
         "lumenDiameter",
         fmt::format("the stent is put to the radius of {:.4g} mm, half of 'lumenDiameter' (the inlet's "
-                    "where it is not given), but 'lumenSurface' comes as near as {:.4g} mm to its axis; "
+                    "where it is not given), but '{}' comes as near as {:.4g} mm to its axis; "
                     "allowed is at most \"{:.4g} mm\", from where 'deploymentDepth' in [stent] counts",
-                    1e3 * vessel.lumenDiameter / 2, 1e3 * narrowest, 2e3 * narrowest));
+                    1e3 * vessel.lumenDiameter / 2, key, 1e3 * narrowest, 2e3 * narrowest));
   } catch (const std::exception& error) {
-    blameVessel("lumenSurface", error.what());
+    blameVessel(key, error.what());
   }
 }
 
@@ -112,14 +117,16 @@ void checkStraightEnds(const TriSurface& lumen, double length, const SceneDocume
 std::string outletProblem(const Scene& scene, const std::vector<std::string>& ofSurface) try {
   if (scene.outlets() == Outlets::one) return {};
   if (ofSurface.empty())
-    return "'lumenSurface' has not several solids that are named as outlets; it needs one for each line of the table";
+    return "'lumenSurface' has not several solids that are named as outlets; it needs one for each line of "
+           "the table";
   std::vector<std::string> ofTable;
   for (const Outlet& outlet : scene.flow->outletsOfTable()) ofTable.push_back(outlet.name);
   if (ofTable == ofSurface) return {};
   const auto list = [](const std::vector<std::string>& names) {
     return commaSeparated(std::vector<std::string_view>(names.begin(), names.end()));
   };
-  return fmt::format("the table names the outlets {}, but 'lumenSurface' has {}", list(ofTable), list(ofSurface));
+  return fmt::format("the table names the outlets {}, but 'lumenSurface' has {}", list(ofTable),
+                     list(ofSurface));
 } catch (const OutletTableError&) {
   return {};
 }
@@ -175,8 +182,16 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
   else if (std::string width = remarkOnWidth(scene, diameter);
            !width.empty() && !gives(document, "lumenDiameter"))
     scene.remarks.push_back(std::move(width));
+  if (scene.hasTissue() && lumen.outletCount() > 1) return {};  // which is said elsewhere
   const bool straight = frameAlongZ(lumen).has_value();
-  const double length = distanceOfEnds(lumen);
+  vessel.lumenSurfaceIsBent = !straight && scene.hasTissue();
+  double length = distanceOfEnds(lumen);
+  if (vessel.lumenSurfaceIsBent) try {
+      length = axisBySections(lumen).length();
+    } catch (const std::exception& error) {
+      blameVessel("lumenSurface", error.what());
+      return {};
+    }
   // Along a bent lumen the distance between its ends says little
   if (gives(document, "length")) {
     if (scene.hasTissue() ? std::abs(length / vessel.length - 1.0) > sameLength
@@ -185,11 +200,12 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
                   fmt::format("the ends of 'lumenSurface' are {:.4g} mm apart, but 'length' is {:.4g} mm; "
                               "leave it out, or correct it or 'lumenSurfaceUnit'",
                               units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
-    else if (straight)
+    else if (straight || scene.hasTissue())
       vessel.length = length;  // to the last digit: the wall ends where the lumen does
   } else {
     vessel.length = length;
-    if (const std::string problem = lengthProblem(vessel, units); !problem.empty())
+    if (const std::string problem = lengthProblem(vessel, units, "the distance of its ends is");
+        !problem.empty())
       blameVessel("lumenSurface", problem);
   }
 
@@ -208,6 +224,46 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
   if (!straight && scene.flow && scene.flow->straightEnds > 0)
     checkStraightEnds(lumen, scene.flow->straightEnds, document, findings);
   return extent;
+}
+
+void takeCentreline(Scene& scene, const SceneDocument& document, const Units& units,
+                    SceneFindings& findings) {
+  VesselParameters& vessel = scene.vessel;
+  if (vessel.centreline.empty() || !findings.reliable("vessel.centreline") ||
+      !findings.reliable("vessel.centrelineUnit"))
+    return;
+  const auto blameVessel = [&](std::string_view key, const std::string& message) {
+    blame(VesselParameters::section, key, message, document, findings);
+  };
+  double length = 0;
+  std::vector<double> radii;
+  try {
+    radii = readCentreline(vessel.centreline, metresPer(vessel.centrelineUnit)).radii;
+    length = vesselAxis(vessel)->length();
+  } catch (const std::exception& error) {
+    return blameVessel("centreline", error.what());
+  }
+  if (gives(document, "length") && std::abs(length / vessel.length - 1.0) > sameLength)
+    blameVessel("length",
+                fmt::format("'centreline' is {:.4g} mm long, but 'length' is {:.4g} mm; leave it out, or "
+                            "correct it or 'centrelineUnit'",
+                            units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
+  vessel.length = length;
+  if (const std::string problem = lengthProblem(vessel, units, "its length is"); !problem.empty())
+    return blameVessel("centreline", problem);
+  if (!gives(document, "lumenDiameter")) {
+    if (radii.empty()) return blameVessel("lumenDiameter", "is needed: 'centreline' has no radii");
+    vessel.lumenDiameter = 2 * radii.front();
+  }
+  if (radii.empty()) return;
+  if (const auto [least, most] = std::ranges::minmax(radii);
+      implausible(2 * most / vessel.lumenDiameter) || implausible(2 * least / vessel.lumenDiameter))
+    return blameVessel(
+        "centreline",
+        fmt::format("its radii are {:.4g} to {:.4g} mm, those of another vessel than 'lumenDiameter', "
+                    "{:.4g} mm",
+                    1e3 * least, 1e3 * most, 1e3 * vessel.lumenDiameter));
+  if (scene.hasTissue()) checkWall(scene, blameVessel);
 }
 
 }  // namespace restenosis

@@ -18,4 +18,9 @@ namespace restenosis {
 std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& document, const Units& units,
                                              SceneFindings& findings);
 
+/// Reads the centreline that a scene gives, if any, and checks that its tissue can be built around its radii;
+/// adds what is wrong to `findings`. The vessel's `length` becomes the axis's; where the scene gives no
+/// `lumenDiameter`, that of the first point's radius.
+void takeCentreline(Scene& scene, const SceneDocument& document, const Units& units, SceneFindings& findings);
+
 }  // namespace restenosis

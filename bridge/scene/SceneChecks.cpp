@@ -13,6 +13,7 @@
 #include "bridge/scene/ArteryWidth.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/surface/SceneStent.h"
+#include "bridge/surface/VesselAxis.h"
 #include "tissue/biology/NitricOxide.h"
 #include "tissue/parameters/Limit.h"
 #include "tissue/stent/StentDesign.h"
@@ -114,28 +115,70 @@ Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
   return "'stenosis' shapes a cylinder, but the lumen is that of 'lumenSurface'; take one of them out";
 }
 
-Finding bendOfLumenSurface(const Scene& s, const Units&) {
-  if (!s.vessel.isBent() || s.vessel.lumenSurface.empty()) return {};
-  return "'curvatureRadius' bends a vessel with a straight lumen, but the lumen is that of 'lumenSurface'; "
-         "take one "
-         "of them out";
+std::string_view bendKey(const Scene& s) {
+  return s.vessel.centreline.empty() ? "curvatureRadius" : "centreline";
 }
 
-Finding bendTooSharp(const Scene& s, const Units& u) {
-  if (!s.vessel.isBent()) return {};
-  const double outer = s.vessel.lumenDiameter / 2 + (s.hasTissue() ? s.vessel.wallThickness : 0) +
-                       (s.stent ? s.stent->deploymentDepth : 0);
-  if (s.vessel.curvatureRadius < outer / sharpestBend)
+Finding bentTwice(const Scene& s, const Units&) {
+  if (s.vessel.centreline.empty() || s.vessel.curvatureRadius == 0) return {};
+  return "'centreline' in [vessel] says how it bends, and so does 'curvatureRadius'; take one of them out";
+}
+
+Finding stenosisOfCentreline(const Scene& s, const Units&) {
+  if (s.vessel.stenosis == 0 || !hasRadiiAlong(s.vessel)) return {};
+  return "'stenosis' shapes a cylinder, but 'centreline' in [vessel] has radii; take one of them out";
+}
+
+Finding bendOfLumenSurface(const Scene& s, const Units&) {
+  if (s.vessel.lumenSurface.empty() || (s.vessel.curvatureRadius == 0 && s.vessel.centreline.empty()))
+    return {};
+  return fmt::format(
+      "'{}' bends a vessel with a straight lumen, but the lumen is that of 'lumenSurface'; take one "
+      "of them out",
+      bendKey(s));
+}
+
+/// How far a vessel reaches from its axis.
+double outerRadius(const Scene& s) {
+  return s.vessel.lumenDiameter / 2 + (s.hasTissue() ? s.vessel.wallThickness : 0) +
+         (s.stent ? s.stent->deploymentDepth : 0);
+}
+
+Finding arcTooSharp(const Scene& s, const Units& u) {
+  if (s.vessel.curvatureRadius == 0) return {};
+  if (s.vessel.curvatureRadius < outerRadius(s) / sharpestBend)
     return fmt::format(
         "'curvatureRadius' in [vessel] is {}; a vessel that reaches {} from its axis needs at least {}",
-        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, outer, "mm"),
-        shown(u, outer / sharpestBend, "mm"));
+        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, outerRadius(s), "mm"),
+        shown(u, outerRadius(s) / sharpestBend, "mm"));
   if (s.vessel.length > longestArc * s.vessel.curvatureRadius)
     return fmt::format(
         "'curvatureRadius' in [vessel] is {}, on which a vessel of {} goes around too far; at most {}",
         shown(u, s.vessel.curvatureRadius, "mm"), shown(u, s.vessel.length, "mm"),
         shown(u, longestArc * s.vessel.curvatureRadius, "mm"));
   return {};
+}
+
+/// Of an axis that a file has.
+Finding axisTooSharp(const Scene& s, const Units& u, std::string_view key, std::string_view advice) {
+  const double sharpest = sharpestRadius(s.vessel);
+  if (sharpest >= outerRadius(s) / sharpestBend) return {};
+  return fmt::format(
+      "'{}' in [vessel] has an axis with a radius of curvature of {:.3g} mm; a vessel that reaches {} from "
+      "its axis "
+      "needs at least {}: {}",
+      key, u.fromSi(sharpest, "mm"), shown(u, outerRadius(s), "mm"),
+      shown(u, outerRadius(s) / sharpestBend, "mm"), advice);
+}
+
+Finding centrelineTooSharp(const Scene& s, const Units& u) {
+  if (s.vessel.centreline.empty() || s.vessel.curvatureRadius > 0) return {};
+  return axisTooSharp(s, u, "centreline", "leave out points where it is rough");
+}
+
+Finding surfaceTooSharp(const Scene& s, const Units& u) {
+  if (!s.vessel.lumenSurfaceIsBent) return {};
+  return axisTooSharp(s, u, "lumenSurface", "tissue is not built around sharper bends");
 }
 
 Finding stenosisTooLong(const Scene& s, const Units& u) {
@@ -289,22 +332,26 @@ Finding severalOutlets(const Scene& s, const Units&) {
   if (s.outlets() == Outlets::one) return {};
   const FlowParameters& flow = *s.flow;
   if (s.hasTissue())
-    return "'outlets' in [flow] is for lumens that branch, around which no tissue is grown; take it or [mechanics] "
+    return "'outlets' in [flow] is for lumens that branch, around which no tissue is grown; take it or "
+           "[mechanics] "
            "out";
   if (s.vessel.lumenSurface.empty())
-    return "'outlets' in [flow] is for lumens that branch: those of a 'lumenSurface' in [vessel], which is not given";
+    return "'outlets' in [flow] is for lumens that branch: those of a 'lumenSurface' in [vessel], which is "
+           "not given";
   if (flow.backend != flowBackendNames::foam)
-    return fmt::format(
-        "'outlets' in [flow] cannot be solved by backend = \"{}\"; allowed is \"foam\"", flow.backend);
+    return fmt::format("'outlets' in [flow] cannot be solved by backend = \"{}\"; allowed is \"foam\"",
+                       flow.backend);
   if (flow.drive != "flowRate")
-    return fmt::format("'outlets' in [flow] shares out a flow rate, but drive = \"{}\" gives none; allowed is "
-                       "\"flowRate\"",
-                       flow.drive);
+    return fmt::format(
+        "'outlets' in [flow] shares out a flow rate, but drive = \"{}\" gives none; allowed is "
+        "\"flowRate\"",
+        flow.drive);
   if (flow.isBeating())
     return "'outlets' in [flow] shares out a steady flow; take it out, or 'waveform' and 'waveformFile'";
   if (flow.isCrossChecked())
-    return fmt::format("'outlets' in [flow] leaves nothing to compare with; crossCheck is \"{}\", allowed is \"none\"",
-                       flow.crossCheck);
+    return fmt::format(
+        "'outlets' in [flow] leaves nothing to compare with; crossCheck is \"{}\", allowed is \"none\"",
+        flow.crossCheck);
   try {
     flow.outletsOfTable();
     return {};
@@ -354,10 +401,18 @@ const std::vector<Check>& checks() {
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
       {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
-      {{"vessel.curvatureRadius", "vessel.lumenSurface"}, bendOfLumenSurface},
+      {{"vessel.stenosis", "vessel.centreline"}, stenosisOfCentreline},
+      {{"vessel.centreline", "vessel.curvatureRadius"}, bentTwice},
+      {{"vessel.lumenSurface", "vessel.curvatureRadius", "vessel.centreline"}, bendOfLumenSurface},
       {{"vessel.curvatureRadius", "vessel.lumenDiameter", "vessel.wallThickness", "vessel.length",
         "stent.deploymentDepth", "mechanics"},
-       bendTooSharp},
+       arcTooSharp},
+      {{"vessel.centreline", "vessel.lumenDiameter", "vessel.wallThickness", "stent.deploymentDepth",
+        "mechanics"},
+       centrelineTooSharp},
+      {{"vessel.lumenSurface", "vessel.lumenDiameter", "vessel.wallThickness", "stent.deploymentDepth",
+        "mechanics"},
+       surfaceTooSharp},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},

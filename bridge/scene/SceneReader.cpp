@@ -179,6 +179,7 @@ Scene SceneReader::readText(std::string_view toml, const std::filesystem::path& 
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(section)>, SceneParameters>)
       startFromFidelity(scene);  // before the sections that it decides are read
   });
+  takeCentreline(scene, document, units_, findings);
   const auto loaded = takeLumenSurface(scene, document, units_, findings);
   resolve(scene, document);
   checkScene(scene, document, units_, loaded, findings);

@@ -5,7 +5,11 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "bridge/surface/Centreline.h"
+#include <cmath>
+
+#include "bridge/surface/CylinderSurface.h"
+#include "bridge/surface/StlFile.h"
+#include "bridge/surface/VesselAxis.h"
 #include "tests/support/OpenFoamPresent.h"
 #include "tests/support/WholeProgram.h"
 
@@ -71,6 +75,49 @@ straightEnds = "1.8 mm"
     (y > 0 ? inner : outer) += stress->GetTuple1(cell);
   }
   EXPECT_GT(outer, 1.03 * inner);
+}
+
+TEST_F(BentRun, AlongACentrelineIsThatAlongItsArc) {
+  std::string table = "x,y,z\n";
+  for (int n = 0; n <= 20; ++n) {
+    const double angle = n * 0.24 / 20 / 5;  // the length of the vessel of tinyScene on a radius of 5 mm
+    table +=
+        "0," + std::to_string(5 * (1 - std::cos(angle))) + "," + std::to_string(5 * std::sin(angle)) + "\n";
+  }
+  writeText(folder / "axis.csv", table);
+  const std::string straight = scene("straight", tinyScene);
+  ASSERT_EXIT_STATUS(run({"run", straight, "-o", "arc", "--set", "vessel.curvatureRadius=5 mm"}), 0);
+  ASSERT_EXIT_STATUS(run({"run", straight, "-o", "line", "--set", "vessel.centreline=axis.csv"}), 0);
+  EXPECT_NEAR(
+      summary("line")["final"]["agents"].get<double>() / summary("arc")["final"]["agents"].get<double>(), 1,
+      0.02);
+  const ProcessEnd end =
+      run({"check", straight, "--set", "vessel.centreline=axis.csv", "--set", "vessel.centrelineUnit=cm"});
+  EXPECT_EXIT_STATUS(end, 2);
+  EXPECT_NE(end.err.find("'centreline' is 2.4 mm long, but 'length' is 0.24 mm"), std::string::npos)
+      << end.err;
+}
+
+TEST_F(BentRun, AroundABentSurfaceFindsItsAxis) {
+  const Centreline axis = Centreline::arc(20e-3, 0, 1.2e-3);
+  VesselParameters vessel;
+  vessel.length = 1.2e-3;
+  writeStl(folder / "bent.stl", bentAlong(axis, cylinderSurface(vessel, {60e-6, 60e-6})), 1e-3);
+  const std::string quick = scene("bent", R"([scene]
+title = "Bent"
+duration = "1 h"
+step = "1 h"
+[vessel]
+lumenSurface = "bent.stl"
+wallThickness = "0.2 mm"
+cellRadius = "30 um"
+[mechanics]
+contactLaw = "hertzNeoHookean"
+)");
+  ASSERT_EXIT_STATUS(run({"run", quick, "-o", "out", "--set", "output.pictures=false"}), 0);
+  const CsvColumns profile(folder / "out/profile.csv");
+  EXPECT_NEAR(1e-3 * profile.values.at("z_mm").back().value() / vessel.length, 1, 5e-3);
+  EXPECT_NE(read("out/tissue/tissue_000000.vtp")->GetPointData()->GetArray("straightPosition"), nullptr);
 }
 
 TEST_F(BentRun, TooSharplyIsRefused) {

@@ -41,9 +41,10 @@ TEST_F(JsonSchemaTest, SaysWhatIsAllowedAndWhatHoldsWithoutAKey) {
 
 TEST_F(JsonSchemaTest, AFileStandsForTheKeysThatItMakesNeedless) {
   const auto& alternatives = schema["properties"]["vessel"]["anyOf"];
-  ASSERT_EQ(alternatives.size(), 2U);
+  ASSERT_EQ(alternatives.size(), 3U);
   EXPECT_EQ(alternatives[0]["required"], nlohmann::json({"length", "lumenDiameter"}));
   EXPECT_EQ(alternatives[1]["required"], nlohmann::json({"lumenSurface"}));
+  EXPECT_EQ(alternatives[2]["required"], nlohmann::json({"centreline"}));
 }
 
 TEST_F(JsonSchemaTest, AQuantityIsANumberWithAUnit) {

@@ -197,14 +197,14 @@ TEST_F(LoadedLumen, OfABifurcationItIsSaidThatOneInletAndOneOutletAreSupported) 
   EXPECT_SAYS(open,
               "it needs two planar ends, one inlet and one outlet, but 3 were found (3 of them open): ");
   EXPECT_SAYS(open, "1.128 mm wide around (0.5, 0.5, 2) mm");
-  EXPECT_SAYS(open, "Bifurcations are not supported: take one branch");
+  EXPECT_SAYS(open, "Of a bifurcation take one branch; or close the others");
   EXPECT_EQ(open.find("straight"), std::string::npos);
   EXPECT_SAYS(refusal(tee(false)), "were found (0 of them open): ");
-  EXPECT_SAYS(refusal(tee(false)), "Bifurcations are not supported");
+  EXPECT_SAYS(refusal(tee(false)), "Of a bifurcation take one branch");
   TriSurface uneven = tee(true);  // one rim is not planar
   for (Vec3& v : uneven.vertices)
     if ((v - Vec3(2e-3, 0, 0)).norm() < 1e-9) v.x() += 0.3e-3;
-  EXPECT_SAYS(refusal(uneven), "Bifurcations are not supported");
+  EXPECT_SAYS(refusal(uneven), "Of a bifurcation take one branch");
 }
 
 TEST_F(LoadedLumen, AThirdFaceBesideNamedEndsIsRemarkedOn) {

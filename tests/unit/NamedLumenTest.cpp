@@ -154,7 +154,7 @@ TEST_F(NamedLumen, OneNameForBothEndsIsRefused) {
   EXPECT_SAYS(refusalOfFile(),
               "what is named outlet is 2 separate pieces: the solid 'outlet1', 1.8 mm wide around "
               "(0, 0, 0) mm, and the solid 'outlet2', 1.8 mm wide around (0, 0, 2) mm; it must be "
-              "one end. One inlet and one outlet are supported");
+              "one end. Of a bifurcation take one branch, and close the others");
 }
 
 TEST_F(NamedLumen, PartsAreListedWithWhatTheyCameFrom) {

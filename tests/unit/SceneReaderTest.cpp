@@ -89,11 +89,11 @@ TEST_F(SceneReaderTest, NamesUnknownKeysAndTheNearest) {
   const auto found =
       findings("[scene]\nduration = \"1 d\"\n[vessel]\nlenght = \"1 mm\"\nlumenDiameter = \"1.8 mm\"\n");
   ASSERT_EQ(found.size(), 1u);  // not a second time as missing
-  EXPECT_EQ(
-      toString(found[0]).rfind("scenes/x.toml:4: unknown key 'lenght' in [vessel]; did you mean 'length'? "
-                               "Allowed: lumenSurface, lumenSurfaceUnit, length, lumenDiameter",
-                               0),
-      0u)
+  EXPECT_EQ(toString(found[0]).rfind(
+                "scenes/x.toml:4: unknown key 'lenght' in [vessel]; did you mean 'length'? "
+                "Allowed: lumenSurface, lumenSurfaceUnit, centreline, centrelineUnit, length, lumenDiameter",
+                0),
+            0u)
       << toString(found[0]);
   EXPECT_EQ(found[0].column, 1);
   expectOne(start + "[flow]\nqwertyuiop = 1\n", 11, {"unknown key 'qwertyuiop' in [flow]. Allowed: backend"});

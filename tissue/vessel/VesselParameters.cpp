@@ -3,7 +3,7 @@
 namespace restenosis {
 
 void VesselParameters::describe(ParameterVisitor& p) {
-  // First: a surface has its own length and diameter
+  // First: a surface has its own length and diameter, and so may a centreline
   p.file(lumenSurface, {.key = "lumenSurface",
                         .source = "none",
                         .description = "surface of the lumen (.stl, .vtp, .ply or .obj) instead of a "
@@ -11,15 +11,23 @@ void VesselParameters::describe(ParameterVisitor& p) {
                                        "and lumenDiameter are then the surface's own unless given"});
   p.choice(lumenSurfaceUnit, {"m", "cm", "mm", "um"},
            {.key = "lumenSurfaceUnit", .source = "none", .description = "length unit of lumenSurface"});
-  const bool cylinder = lumenSurface.empty();
-  p.quantity(length, {.key = "length",
-                      .unit = "mm",
-                      .minimum = 0,
-                      .maximum = 1000,
-                      .minimumAllowed = false,
-                      .required = cylinder,
-                      .source = "T6",
-                      .description = "length of the vessel; required unless lumenSurface is given"});
+  p.file(centreline,
+         {.key = "centreline",
+          .source = "none",
+          .description = "axis of a bent vessel: a CSV table (x, y, z, and radius of the lumen where it is "
+                         "known), or one line in VTK's format, as VMTK writes it (.vtp)"});
+  p.choice(centrelineUnit, {"m", "cm", "mm", "um"},
+           {.key = "centrelineUnit", .source = "assumed", .description = "length unit of 'centreline'"});
+  const bool cylinder = lumenSurface.empty() && centreline.empty();
+  p.quantity(length,
+             {.key = "length",
+              .unit = "mm",
+              .minimum = 0,
+              .maximum = 1000,
+              .minimumAllowed = false,
+              .required = cylinder,
+              .source = "T6",
+              .description = "length of the vessel; required unless lumenSurface or centreline is given"});
   p.quantity(lumenDiameter, {.key = "lumenDiameter",
                              .unit = "mm",
                              .minimum = 0,
@@ -28,7 +36,7 @@ void VesselParameters::describe(ParameterVisitor& p) {
                              .required = cylinder,
                              .source = "T6",
                              .description = "diameter of the lumen before stenting; required unless "
-                                            "lumenSurface is given"});
+                                            "lumenSurface, or a centreline with radii, is given"});
   p.quantity(wallThickness, {.key = "wallThickness",
                              .unit = "mm",
                              .minimum = 0,
@@ -92,13 +100,6 @@ void VesselParameters::describe(ParameterVisitor& p) {
               .maximum = 10000,
               .source = "docs/model/curved.md",
               .description = "radius of the arc that the vessel's axis is bent to; 0: straight"});
-  p.file(centreline,
-         {.key = "centreline",
-          .source = "none",
-          .description = "axis of a bent vessel: a CSV table (x, y, z, and radius of the lumen where it is "
-                         "known), or one line in VTK's format, as VMTK writes it (.vtp)"});
-  p.choice(centrelineUnit, {"m", "cm", "mm", "um"},
-           {.key = "centrelineUnit", .source = "assumed", .description = "length unit of 'centreline'"});
   p.file(agents,
          {.key = "agents",
           .source = "none",

@@ -26,11 +26,12 @@ struct VesselParameters {
   double curvatureRadius = 0.0;    ///< of the axis [m]; 0: straight
   std::string centreline;          ///< table or polyline of the axis, with radii or without
   std::string centrelineUnit = "mm";
-  std::string agents;              ///< CSV of agents to load instead of packing
-  std::string lumenSurface;        ///< STL of the lumen to use instead of a cylinder
+  std::string agents;        ///< CSV of agents to load instead of packing
+  std::string lumenSurface;  ///< STL of the lumen to use instead of a cylinder
   std::string lumenSurfaceUnit = "mm";
+  bool lumenSurfaceIsBent = false;  ///< no key: found where tissue is built around the surface
 
-  bool isBent() const { return curvatureRadius > 0 || !centreline.empty(); }
+  bool isBent() const { return curvatureRadius > 0 || !centreline.empty() || lumenSurfaceIsBent; }
   void describe(ParameterVisitor& p);
 };
 
