@@ -10,7 +10,7 @@
 namespace restenosis {
 namespace {
 
-constexpr std::string_view report = R"(    {0}{1}
+constexpr std::string_view patchReport = R"(    {0}{1}
     {{
         type            surfaceFieldValue;
         libs            (fieldFunctionObjects);
@@ -47,8 +47,8 @@ std::string outletsText(std::string text, const FlowConditions& conditions) {
         "    {}\n    {{\n        type        flowRateOutletVelocity;\n        volumetricFlowRate constant {};\n"
         "        value       uniform (0 0 0);\n    }}\n",
         name, conditions.outlets[n].share * conditions.flowRate);
-    functions += fmt::format(report, name, "Flow", "sum", "phi");
-    functions += fmt::format(report, name, "Pressure", "areaAverage", "p");
+    functions += fmt::format(patchReport, name, "Flow", "sum", "phi");
+    functions += fmt::format(patchReport, name, "Pressure", "areaAverage", "p");
   }
   fill(text, "outletNames", names);
   fill(text, "outletSurfaces", surfaces);
