@@ -12,12 +12,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from study import Study, at_day, read_rows
+from kept import Kept
+from study import Study, at_day
 
 study = Study(sys.argv[1])
+kept = Kept(study)
 groups = {}
 for run in study.runs.values():
-    groups.setdefault(run.group, []).append(read_rows(Path("runs") / run.name))
+    groups.setdefault(run.group, []).append(kept.rows(run, Path("runs") / run.name))
 
 picture, panels = plt.subplots(1, len(study.columns), figsize=(5 * len(study.columns), 4), layout="constrained",
                                squeeze=False)
