@@ -61,12 +61,12 @@ class QuantityInfo final : public IgnoringVisitor {
 };
 
 /// Why a file's own length cannot be the vessel's, which the scene of the results names; empty if it can.
-std::string lengthProblem(VesselParameters vessel, const Units& units, std::string_view what) {
+/// `is`: how long it is, in words.
+std::string lengthProblem(VesselParameters vessel, const Units& units, const std::string& is) {
   QuantityInfo length("length");
   vessel.describe(length);
   if (vessel.length <= units.toSi(length.info.maximum, length.info.unit)) return {};
-  return fmt::format("{} {:.4g} mm, too long for 'length'; allowed: {}", what,
-                     units.fromSi(vessel.length, "mm"), boundsText(length.info));
+  return fmt::format("{}, too long for 'length'; allowed: {}", is, boundsText(length.info));
 }
 
 std::string endsOf(const TriSurface& lumen) {
@@ -204,7 +204,8 @@ std::optional<LoadedExtent> takeLumenSurface(Scene& scene, const SceneDocument& 
       vessel.length = length;  // to the last digit: the wall ends where the lumen does
   } else {
     vessel.length = length;
-    if (const std::string problem = lengthProblem(vessel, units, "the distance of its ends is");
+    if (const std::string problem = lengthProblem(
+            vessel, units, fmt::format("its ends are {:.4g} mm apart", units.fromSi(length, "mm")));
         !problem.empty())
       blameVessel("lumenSurface", problem);
   }
@@ -249,7 +250,9 @@ void takeCentreline(Scene& scene, const SceneDocument& document, const Units& un
                             "correct it or 'centrelineUnit'",
                             units.fromSi(length, "mm"), units.fromSi(vessel.length, "mm")));
   vessel.length = length;
-  if (const std::string problem = lengthProblem(vessel, units, "its length is"); !problem.empty())
+  if (const std::string problem =
+          lengthProblem(vessel, units, fmt::format("it is {:.4g} mm long", units.fromSi(length, "mm")));
+      !problem.empty())
     return blameVessel("centreline", problem);
   if (!gives(document, "lumenDiameter")) {
     if (radii.empty()) return blameVessel("lumenDiameter", "is needed: 'centreline' has no radii");
