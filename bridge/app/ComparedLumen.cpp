@@ -58,7 +58,8 @@ ComparedLumen deployedLumen(const Scene& scene, const std::filesystem::path& fol
 
 ComparedLumen loadedLumen(const Scene& scene) {
   if (scene.outlets() == Outlets::several)
-    throw LumenRefused("the scene's 'outlets' in [flow] are solved by OpenFOAM alone: there is nothing to compare");
+    throw LumenRefused(
+        "the scene's 'outlets' in [flow] are solved by OpenFOAM alone: there is nothing to compare");
   return laidOfDay(loadLumen(scene.vessel), 0.0, scene.vessel.lumenSurface);
 }
 

@@ -156,11 +156,11 @@ void FlowParameters::describe(ParameterVisitor& p) {
             .description =
                 "of a beating flow, the stress that cells feel: the mean over the beat (TAWSS), or that of "
                 "steady flow at the mean flow rate"});
-  p.file(outlets,
-         {.key = "outlets",
-          .source = "none",
-          .description = "several outlets of a lumen without tissue: a table with the columns solid, and share "
-                         "(of the flow rate) or resistance (of what lies behind, Pa s/m^3); foam only"});
+  p.file(outlets, {.key = "outlets",
+                   .source = "none",
+                   .description =
+                       "several outlets of a lumen without tissue: a table with the columns solid, and share "
+                       "(of the flow rate) or resistance (of what lies behind, Pa s/m^3); foam only"});
   p.quantity(
       straightEnds,
       {.key = "straightEnds",

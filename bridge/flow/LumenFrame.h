@@ -9,8 +9,9 @@
 namespace restenosis {
 
 /// The rigid motion that lays a lumen along z, its inlet in the plane z = 0 with the centre in the origin.
-/// Nothing where there is none: it has several outlets, the ends are not parallel within 0.1 degrees (assumed), or part of the lumen
-/// lies beyond the plane of an end. The lumen must pass requireLumenWithPlanarEnds.
+/// Nothing where there is none: it has several outlets, the ends are not parallel within 0.1 degrees
+/// (assumed), or part of the lumen lies beyond the plane of an end. The lumen must pass
+/// requireLumenWithPlanarEnds.
 std::optional<Eigen::Isometry3d> frameAlongZ(const TriSurface& lumen);
 
 /// The lumen moved so, its ends exactly planes of constant z.

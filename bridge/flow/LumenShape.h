@@ -33,8 +33,8 @@ struct EndPlane {
   double perimeter = 0.0;  ///< of all its rims [m]
 };
 
-/// The end that carries this region (the inlet or an outlet). Throws std::invalid_argument where there is none
-/// or it is not planar.
+/// The end that carries this region (the inlet or an outlet). Throws std::invalid_argument where there is
+/// none or it is not planar.
 EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end);
 
 /// The edges around the end that carries this region, as its triangles go around them, in ascending order.
@@ -44,8 +44,8 @@ std::vector<std::array<std::uint32_t, 2>> endRim(const TriSurface& lumen, Surfac
 /// requireLumen for a lumen of any shape, whose planar ends may face in any directions.
 void requireLumenWithPlanarEnds(const TriSurface& lumen);
 
-/// Whether the lumen lies along z: it has one outlet, its ends are planes of constant z, the inlet below the outlet, and all of
-/// it lies between them.
+/// Whether the lumen lies along z: it has one outlet, its ends are planes of constant z, the inlet below the
+/// outlet, and all of it lies between them.
 bool liesAlongZ(const TriSurface& lumen);
 
 /// A lumen in a plane of constant z.

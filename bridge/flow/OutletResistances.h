@@ -10,7 +10,8 @@ namespace restenosis {
 ///     p_inlet - p_i + R_i Q_i = p, the same for all
 ///
 /// With the vessel's own resistance on that way, r_i = (p_inlet - p_i) / Q_i of the last solution, the shares
-/// go with 1 / (r_i + R_i); what remains is solved again. Where shares are given, the backend solves as it is.
+/// go with 1 / (r_i + R_i); what remains is solved again. Where shares are given, the backend solves as it
+/// is.
 class OutletResistances : public WrappedBackend {
  public:
   using WrappedBackend::WrappedBackend;

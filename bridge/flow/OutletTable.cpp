@@ -53,14 +53,16 @@ std::vector<Outlet> readOutlets(const std::filesystem::path& file) {
     if (column.empty()) {
       column = last == "share" ? "share" : "resistance";
       if (name != "solid" || last != column)
-        fail(fmt::format("'{}' is no header of a table of outlets; it must be 'solid,share' or "
-                         "'solid,resistance'",
-                         content));
+        fail(
+            fmt::format("'{}' is no header of a table of outlets; it must be 'solid,share' or "
+                        "'solid,resistance'",
+                        content));
       continue;
     }
     const auto value = positive(last);
     if (name.empty() || !value)
-      fail(fmt::format("'{}' is not the name of a solid and a positive {}, with a comma between", content, column));
+      fail(fmt::format("'{}' is not the name of a solid and a positive {}, with a comma between", content,
+                       column));
     if (std::ranges::any_of(outlets, [&](const Outlet& other) { return other.name == name; }))
       fail(fmt::format("the solid '{}' is there twice", name));
     if (outlets.size() == mostOutlets) fail(fmt::format("more than {} outlets", mostOutlets));
@@ -74,7 +76,8 @@ std::vector<Outlet> readOutlets(const std::filesystem::path& file) {
   double sum = 0;
   for (const Outlet& outlet : outlets) sum += outlet.share;
   if (column == "share" && std::abs(sum - 1) > roundedShares)
-    throw OutletTableError(fmt::format("{}: the shares are {:.6g} together; they must be 1", file.string(), sum));
+    throw OutletTableError(
+        fmt::format("{}: the shares are {:.6g} together; they must be 1", file.string(), sum));
   for (Outlet& outlet : outlets) outlet.share /= sum;
   std::ranges::sort(outlets, {}, &Outlet::name);
   return outlets;

@@ -34,10 +34,10 @@ struct Summary {
   std::optional<DeploymentStatistics> deployment;  ///< where there is a stent
   std::optional<InjuryReport> injury;              ///< where a scene injures
   std::uint64_t flowSolvesDone = 0;
-  std::map<std::string, std::uint64_t> flowSolvesSkipped;  ///< how often, by reason
-  std::uint64_t flowMeshesMoved = 0;                       ///< solves in the former mesh, moved
+  std::map<std::string, std::uint64_t> flowSolvesSkipped;   ///< how often, by reason
+  std::uint64_t flowMeshesMoved = 0;                        ///< solves in the former mesh, moved
   std::vector<std::pair<std::string, OutletFlow>> outlets;  ///< by name, of a lumen with several
-  std::optional<BeatSummary> beats;                        ///< of the last flow, where it beats
+  std::optional<BeatSummary> beats;                         ///< of the last flow, where it beats
   std::map<std::string, std::uint64_t> flowRemeshed;  ///< the others, where meshes may be moved, by reason
   std::optional<CrossCheckSummary> crossCheck;        ///< where the flow is cross-checked
   std::uint64_t relaxationIterations = 0, agentEvaluations = 0;
@@ -53,8 +53,8 @@ struct Summary {
 /// Writes summary.json: scene, title, status, version, seed, threads, ranks, agents, sceneFingerprint,
 /// stateDigest, final (the columns of timeSeries.csv; null where unknown), packing, deployment and injury
 /// (what they did, null without), flow (solves done, skipped, and skipped by reason; meshes moved, and made
-/// anew by reason; of the last one's beats what they showed, null of steady flow; of several outlets what went through each, with
-/// its share and its mean pressure less that of the first), crossCheck (method,
+/// anew by reason; of the last one's beats what they showed, null of steady flow; of several outlets what
+/// went through each, with its share and its mean pressure less that of the first), crossCheck (method,
 /// number, time, and the ranges of what it found; null without), relaxation (iterations during growth, forces
 /// computed, the largest residual after the last one), poiseuille (errors, null where the exact stress is not
 /// known), parts (seconds and peak memory), totalSeconds, remarks, plan (each part: whether it runs, and when

@@ -84,7 +84,8 @@ void flatten(TriSurface& s, const LumenCap& end) {
     refuseLumen(fmt::format(
         "it needs two planar ends, one inlet and one outlet, but {} were found ({} of them open){}. "
         "Of a bifurcation take one branch; or close the others and name the solids of the ends inlet and "
-        "outlet, which also tells ends from other flat faces; or, without tissue, make each end a solid of its "
+        "outlet, which also tells ends from other flat faces; or, without tissue, make each end a solid of "
+        "its "
         "own, and name the outlets in a table ('outlets' in [flow])",
         ends.size(), open, where));
   refuseLumen(fmt::format(
@@ -137,13 +138,14 @@ void requireNamedTree(const TriSurface& s, const std::vector<LumenCap>& ends, st
   if (ends.front().named != SurfaceRegion::inlet)
     refuseLumen(fmt::format("{} solids are named as outlets, but none as the inlet", ends.size()));
   if (rims > 0)
-    refuseLumen(
-        fmt::format("it has {} outlets that are named, and {} open: close it, and name what closes it as an outlet",
-                    ends.size() - 1, rims == 1 ? "one end that is" : fmt::format("{} ends that are", rims)));
+    refuseLumen(fmt::format(
+        "it has {} outlets that are named, and {} open: close it, and name what closes it as an outlet",
+        ends.size() - 1, rims == 1 ? "one end that is" : fmt::format("{} ends that are", rims)));
   for (std::size_t n = 2; n < ends.size(); ++n)
     if (ends[n].solid == ends[n - 1].solid)
       refuseLumen(fmt::format("two outlets are named '{}', around {} and {}: give them names of their own",
-                              ends[n].solid, shownPlace(ends[n - 1].centre(s)), shownPlace(ends[n].centre(s))));
+                              ends[n].solid, shownPlace(ends[n - 1].centre(s)),
+                              shownPlace(ends[n].centre(s))));
 }
 
 void requireSize(const TriSurface& s, const std::vector<LumenCap>& ends) {

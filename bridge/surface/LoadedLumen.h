@@ -19,8 +19,8 @@ namespace restenosis {
 /// (`meaningsOf`). Without such names the inlet is the end with the lower coordinate along the axis (x, y or
 /// z) on which the ends' centres differ most.
 ///
-/// Where there may be several outlets, and more than one solid is named so, each is one, in the order of their
-/// names; then the inlet must be named too, and nothing may be open.
+/// Where there may be several outlets, and more than one solid is named so, each is one, in the order of
+/// their names; then the inlet must be named too, and nothing may be open.
 ///
 /// Throws std::runtime_error, saying what is wrong and what was found instead, where the file cannot be read
 /// or is no such lumen.

@@ -43,11 +43,11 @@ std::vector<LumenCap> piecesOf(const LumenCap& end, const SurfaceEdges& edges) {
     list += fmt::format("{}{}, {:.4g} mm wide around {}", n == 0 ? "" : ", and ",
                         shownSolids(file, pieces[n].triangles), 1e3 * pieces[n].diameter(file.surface),
                         shownPlace(pieces[n].centre(file.surface)));
-  refuseLumen(
-      fmt::format("what is named {} is {} separate pieces: {}{}; it must be one end. Of a "
-                  "bifurcation take one branch, and close the others; or, without tissue, make each end a solid "
-                  "of its own, and name the outlets in a table ('outlets' in [flow])",
-                  regionName(which), pieces.size(), list, pieces.size() > placesShown ? ", and more" : ""));
+  refuseLumen(fmt::format(
+      "what is named {} is {} separate pieces: {}{}; it must be one end. Of a "
+      "bifurcation take one branch, and close the others; or, without tissue, make each end a solid "
+      "of its own, and name the outlets in a table ('outlets' in [flow])",
+      regionName(which), pieces.size(), list, pieces.size() > placesShown ? ", and more" : ""));
 }
 
 /// A wall of the same name as its end, say.

@@ -7,7 +7,6 @@
 namespace restenosis {
 namespace {
 
-
 /// Vertex neighbours in compressed rows, in the fixed order of the triangles. A vertex on a rim (between cap
 /// and wall) has only its neighbours along the rim.
 struct Neighbours {

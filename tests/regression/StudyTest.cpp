@@ -136,13 +136,15 @@ TEST_F(Studies, WhatIsKeptNeedsNoFolder) {
   ASSERT_EXIT_STATUS(script("draw.py"), 0);
   const ProcessEnd page = script("page.py");
   ASSERT_EXIT_STATUS(page, 0);
-  EXPECT_NE(page.out.find("<td>tiny_cellCycle.g1Mean=16_h_seed2</td><td>finished</td><td>1</td><td>0.00</td>"),
-            std::string::npos)
+  EXPECT_NE(
+      page.out.find("<td>tiny_cellCycle.g1Mean=16_h_seed2</td><td>finished</td><td>1</td><td>0.00</td>"),
+      std::string::npos)
       << page.out;
   writeText(folder / "kept/curves.csv", "run,day,smc\n");
   end = script("collect.py");
   EXPECT_EQ(end.status, 1);
-  EXPECT_NE(end.err.find("curves.csv: no run tiny_cellCycle.g1Mean=12_h_seed1"), std::string::npos) << end.err;
+  EXPECT_NE(end.err.find("curves.csv: no run tiny_cellCycle.g1Mean=12_h_seed1"), std::string::npos)
+      << end.err;
 }
 
 TEST_F(Studies, ARunThatIsMissingIsNamed) {

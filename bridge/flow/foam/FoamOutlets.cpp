@@ -30,7 +30,8 @@ void fill(std::string& text, std::string_view entry, const std::string& lines) {
   const std::string empty = fmt::format("\n{} {{}}", entry);
   const auto at = text.find(empty);
   if (at == std::string::npos)
-    throw std::invalid_argument(fmt::format("system/outlets of the case template has no empty entry '{}'", entry));
+    throw std::invalid_argument(
+        fmt::format("system/outlets of the case template has no empty entry '{}'", entry));
   text.replace(at, empty.size(), fmt::format("\n{}\n{{\n{}}}", entry, lines));
 }
 
@@ -42,9 +43,11 @@ std::string outletsText(std::string text, const FlowConditions& conditions) {
   for (std::size_t n = 1; n < conditions.outlets.size(); ++n) {
     const std::string_view name = regionName(outletRegion(n));
     names += fmt::format("    {0} {{ name {0}; }}\n", name);
-    surfaces += fmt::format("    {} {{ level ($coreLevel $coreLevel); patchInfo {{ type patch; }} }}\n", name);
+    surfaces +=
+        fmt::format("    {} {{ level ($coreLevel $coreLevel); patchInfo {{ type patch; }} }}\n", name);
     velocities += fmt::format(
-        "    {}\n    {{\n        type        flowRateOutletVelocity;\n        volumetricFlowRate constant {};\n"
+        "    {}\n    {{\n        type        flowRateOutletVelocity;\n        volumetricFlowRate constant "
+        "{};\n"
         "        value       uniform (0 0 0);\n    }}\n",
         name, conditions.outlets[n].share * conditions.flowRate);
     functions += fmt::format(patchReport, name, "Flow", "sum", "phi");

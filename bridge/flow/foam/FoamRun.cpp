@@ -99,7 +99,8 @@ double FoamRun::checkMesh() {
 void FoamRun::checkEnds() {
   std::vector<PolyMesh> meshes;
   for (const auto& part : steps_.parts()) meshes.push_back(readPolyMesh(part));
-  std::vector<std::pair<std::string_view, const EndPlane*>> ends{{"inlet", &lumen_.inlet}, {"outlet", &lumen_.outlet}};
+  std::vector<std::pair<std::string_view, const EndPlane*>> ends{{"inlet", &lumen_.inlet},
+                                                                 {"outlet", &lumen_.outlet}};
   for (std::size_t n = 0; n < lumen_.furtherOutlets.size(); ++n)
     ends.emplace_back(regionName(outletRegion(n + 1)), &lumen_.furtherOutlets[n]);
   for (const auto& [name, end] : ends) {
@@ -189,10 +190,11 @@ void FoamRun::checkPatches() {
         steps_.log("snappyHexMesh"));
   for (std::size_t n = 1; n <= lumen_.furtherOutlets.size(); ++n)
     if (const std::string name(regionName(outletRegion(n))); faces[name] == 0)
-      throw FlowFailed(fmt::format("snappyHexMesh: the mesh does not reach the outlet '{}': its branch is closed, or "
-                                   "too narrow for these cells (see {})",
-                                   conditions_.outlets[n].name, steps_.log("snappyHexMesh").string()),
-                       steps_.log("snappyHexMesh"));
+      throw FlowFailed(
+          fmt::format("snappyHexMesh: the mesh does not reach the outlet '{}': its branch is closed, or "
+                      "too narrow for these cells (see {})",
+                      conditions_.outlets[n].name, steps_.log("snappyHexMesh").string()),
+          steps_.log("snappyHexMesh"));
   if (faces["wall"] == 0) steps_.fail("snappyHexMesh", "the mesh has no faces on the wall");
   meshHasStruts_ = faces["strut"] > 0;
   if (!lumen_.hasStruts() || meshHasStruts_) return;
@@ -270,10 +272,11 @@ double FoamRun::checkOutlets(double throughFirst) {
     sum += flowRate;
   }
   for (std::size_t n = 0; n < solution_.outlets.size(); ++n) {
-    const double is = solution_.outlets[n].flowRate, should = conditions_.outlets[n].share * conditions_.flowRate;
+    const double is = solution_.outlets[n].flowRate,
+                 should = conditions_.outlets[n].share * conditions_.flowRate;
     if (!(std::abs(is - should) <= settings_.massTolerance * conditions_.flowRate))
-      steps_.fail("simpleFoam", fmt::format("{:.4g} m^3/s leave through the outlet '{}' instead of {:.4g}", is,
-                                            conditions_.outlets[n].name, should));
+      steps_.fail("simpleFoam", fmt::format("{:.4g} m^3/s leave through the outlet '{}' instead of {:.4g}",
+                                            is, conditions_.outlets[n].name, should));
   }
   return sum;
 }
