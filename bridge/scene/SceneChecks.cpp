@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "bridge/flow/FlowBackendNames.h"
-#include "bridge/flow/OutletTable.h"
 #include "bridge/scene/ArteryWidth.h"
+#include "bridge/scene/AxisChecks.h"
+#include "bridge/scene/FlowChecks.h"
 #include "bridge/scene/FlowResolution.h"
 #include "bridge/surface/SceneStent.h"
-#include "bridge/surface/VesselAxis.h"
 #include "tissue/biology/NitricOxide.h"
 #include "tissue/parameters/Limit.h"
 #include "tissue/stent/StentDesign.h"
@@ -25,29 +24,12 @@ namespace {
 /// Limits that keep a slip of the keyboard from filling a machine: assumed, far beyond any use.
 constexpr double mostAgents = 20e6, mostSteps = 10e6;
 
-/// Of a bent vessel, its outer radius over the radius of curvature at most, by which distances along it
-/// differ from those on its axis, and its angle [rad] (assumed: its ends must not meet).
-constexpr double sharpestBend = 0.25, longestArc = 1.5 * std::numbers::pi;
-
-using Finding = std::optional<std::string>;
-
-/// One rule. `reads` are the keys it looks at, "section" or "section.key"; the first is the one to blame.
-struct Check {
-  std::vector<std::string_view> reads;
-  Finding (*find)(const Scene& scene, const Units& units);
-};
-
-/// A length or time for people: no digits beyond what anyone types.
-std::string shown(const Units& units, double si, const std::string& unit) {
-  return fmt::format("{:.6g} {}", units.fromSi(si, unit), unit);
-}
-
 bool hasPackedWall(const Scene& s) { return s.hasTissue() && s.vessel.agents.empty(); }
 
 Finding durationBelowStep(const Scene& s, const Units& u) {
   if (s.scene.duration >= s.scene.step) return {};
   return fmt::format("'duration' in [scene] is {}, shorter than one step of {}",
-                     shown(u, s.scene.duration, "h"), shown(u, s.scene.step, "h"));
+                     shownIn(u, s.scene.duration, "h"), shownIn(u, s.scene.step, "h"));
 }
 
 Finding durationBetweenSteps(const Scene& s, const Units& u) {
@@ -55,7 +37,7 @@ Finding durationBetweenSteps(const Scene& s, const Units& u) {
   if (steps < 1 || std::abs(steps - std::round(steps)) < 1e-9 * steps) return {};
   return fmt::format(
       "'duration' in [scene] is {}, not a whole number of steps of {}; the nearest allowed are {} and {}",
-      shown(u, s.scene.duration, "h"), shown(u, s.scene.step, "h"),
+      shownIn(u, s.scene.duration, "h"), shownIn(u, s.scene.step, "h"),
       u.format(std::floor(steps) * s.scene.step, "h"), u.format(std::ceil(steps) * s.scene.step, "h"));
 }
 
@@ -63,7 +45,7 @@ Finding tooManySteps(const Scene& s, const Units& u) {
   const double steps = s.scene.duration / s.scene.step;
   if (steps <= mostSteps) return {};
   return fmt::format("'step' in [scene] of {} makes {:.3g} steps; at most {:.3g} are allowed",
-                     shown(u, s.scene.step, "h"), steps, mostSteps);
+                     shownIn(u, s.scene.step, "h"), steps, mostSteps);
 }
 
 Finding needs(bool present, bool needed, std::string_view section, std::string_view other,
@@ -110,81 +92,10 @@ Finding stenosisInTissue(const Scene& s, const Units&) {
   return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
 }
 
-Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
-  if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
-  return "'stenosis' shapes a cylinder, but the lumen is that of 'lumenSurface'; take one of them out";
-}
-
-std::string_view bendKey(const Scene& s) {
-  return s.vessel.centreline.empty() ? "curvatureRadius" : "centreline";
-}
-
-Finding bentTwice(const Scene& s, const Units&) {
-  if (s.vessel.centreline.empty() || s.vessel.curvatureRadius == 0) return {};
-  return "'centreline' in [vessel] says how it bends, and so does 'curvatureRadius'; take one of them out";
-}
-
-Finding stenosisOfCentreline(const Scene& s, const Units&) {
-  if (s.vessel.stenosis == 0 || !hasRadiiAlong(s.vessel)) return {};
-  return "'stenosis' shapes a cylinder, but 'centreline' in [vessel] has radii; take one of them out";
-}
-
-Finding bendOfLumenSurface(const Scene& s, const Units&) {
-  if (s.vessel.lumenSurface.empty() || (s.vessel.curvatureRadius == 0 && s.vessel.centreline.empty()))
-    return {};
-  return fmt::format(
-      "'{}' bends a vessel with a straight lumen, but the lumen is that of 'lumenSurface'; take one "
-      "of them out",
-      bendKey(s));
-}
-
-/// How far a vessel reaches from its axis.
-double outerRadius(const Scene& s) {
-  return s.vessel.lumenDiameter / 2 + (s.hasTissue() ? s.vessel.wallThickness : 0) +
-         (s.stent ? s.stent->deploymentDepth : 0);
-}
-
-Finding arcTooSharp(const Scene& s, const Units& u) {
-  if (s.vessel.curvatureRadius == 0) return {};
-  if (s.vessel.curvatureRadius < outerRadius(s) / sharpestBend)
-    return fmt::format(
-        "'curvatureRadius' in [vessel] is {}; a vessel that reaches {} from its axis needs at least {}",
-        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, outerRadius(s), "mm"),
-        shown(u, outerRadius(s) / sharpestBend, "mm"));
-  if (s.vessel.length > longestArc * s.vessel.curvatureRadius)
-    return fmt::format(
-        "'curvatureRadius' in [vessel] is {}, on which a vessel of {} goes around too far; at most {}",
-        shown(u, s.vessel.curvatureRadius, "mm"), shown(u, s.vessel.length, "mm"),
-        shown(u, longestArc * s.vessel.curvatureRadius, "mm"));
-  return {};
-}
-
-/// Of an axis that a file has.
-Finding axisTooSharp(const Scene& s, const Units& u, std::string_view key, std::string_view advice) {
-  const double sharpest = sharpestRadius(s.vessel);
-  if (sharpest >= outerRadius(s) / sharpestBend) return {};
-  return fmt::format(
-      "'{}' in [vessel] has an axis with a radius of curvature of {:.3g} mm; a vessel that reaches {} from "
-      "its axis "
-      "needs at least {}: {}",
-      key, u.fromSi(sharpest, "mm"), shown(u, outerRadius(s), "mm"),
-      shown(u, outerRadius(s) / sharpestBend, "mm"), advice);
-}
-
-Finding centrelineTooSharp(const Scene& s, const Units& u) {
-  if (s.vessel.centreline.empty() || s.vessel.curvatureRadius > 0) return {};
-  return axisTooSharp(s, u, "centreline", "leave out points where it is rough");
-}
-
-Finding surfaceTooSharp(const Scene& s, const Units& u) {
-  if (!s.vessel.lumenSurfaceIsBent) return {};
-  return axisTooSharp(s, u, "lumenSurface", "tissue is not built around sharper bends");
-}
-
 Finding stenosisTooLong(const Scene& s, const Units& u) {
   if (s.vessel.stenosis == 0 || !exceeds(s.vessel.stenosisLength, s.vessel.length)) return {};
   return fmt::format("'stenosisLength' in [vessel] is {}, longer than the vessel ({})",
-                     shown(u, s.vessel.stenosisLength, "mm"), shown(u, s.vessel.length, "mm"));
+                     shownIn(u, s.vessel.stenosisLength, "mm"), shownIn(u, s.vessel.length, "mm"));
 }
 
 /// A design such as one ring does not use its length, but who gives one expects it to fit. (Other designs:
@@ -194,7 +105,7 @@ Finding ringLongerThanVessel(const Scene& s, const Units& u) {
       !exceeds(s.stent->length, s.vessel.length))
     return {};
   return fmt::format("'length' in [stent]: a stent of {} is longer than the vessel ({})",
-                     shown(u, s.stent->length, "mm"), shown(u, s.vessel.length, "mm"));
+                     shownIn(u, s.stent->length, "mm"), shownIn(u, s.vessel.length, "mm"));
 }
 
 Finding cellsTooLarge(const Scene& s, const Units& u) {
@@ -204,22 +115,22 @@ Finding cellsTooLarge(const Scene& s, const Units& u) {
       "'cellRadius' in [vessel] is {}; at most {} fits IEL, one layer of cells and EEL into the wall ({}) "
       "and as many "
       "agents along the vessel ({})",
-      shown(u, s.vessel.cellRadius, "um"), shownAtMost(u.fromSi(largest, "um")) + " um",
-      shown(u, s.vessel.wallThickness, "um"), shown(u, s.vessel.length, "mm"));
+      shownIn(u, s.vessel.cellRadius, "um"), shownAtMost(u.fromSi(largest, "um")) + " um",
+      shownIn(u, s.vessel.wallThickness, "um"), shownIn(u, s.vessel.length, "mm"));
 }
 
 Finding tooManyAgents(const Scene& s, const Units& u) {
   const double agents = estimatedAgents(s);
   if (agents <= mostAgents) return {};
   return fmt::format("cells of radius {} make about {:.2g} agents of this wall; at most {:.2g} are allowed",
-                     shown(u, s.vessel.cellRadius, "um"), agents, mostAgents);
+                     shownIn(u, s.vessel.cellRadius, "um"), agents, mostAgents);
 }
 
 Finding phasesBelowZero(const Scene& s, const Units& u) {
   if (!s.cellCycle || s.cellCycle->g1Mean >= 3 * s.cellCycle->g1Spread) return {};
   return fmt::format(
       "'g1Spread' in [cellCycle] is {}, more than a third of g1Mean ({}): G1 could have a negative length",
-      shown(u, s.cellCycle->g1Spread, "h"), shown(u, s.cellCycle->g1Mean, "h"));
+      shownIn(u, s.cellCycle->g1Spread, "h"), shownIn(u, s.cellCycle->g1Mean, "h"));
 }
 
 Finding recruitmentBesideActivation(const Scene& s, const Units&) {
@@ -239,127 +150,6 @@ Finding nitricOxideFalls(const Scene& s, const Units&) {
   return problem.empty() ? Finding() : Finding(std::move(problem));
 }
 
-Finding driveWithoutGradient(const Scene& s, const Units&) {
-  if (!s.flow || s.flow->drive != "pressureGradient") return {};
-  const double velocity = s.flow->drivenVelocity(s.vessel.lumenDiameter);
-  if (velocity >= FlowParameters::slowest) return {};
-  if (s.flow->pressureGradient > 0)
-    return fmt::format(
-        "'pressureGradient' in [flow] drives {:.3g} m/s through the lumen; allowed is what drives "
-        "at least {:g} m/s",
-        velocity, FlowParameters::slowest);
-  return "'pressureGradient' in [flow] is 0, so nothing flows with drive = \"pressureGradient\"; take [flow] "
-         "out "
-         "instead";
-}
-
-Finding distalFlow(const Scene& s, const Units&) {
-  if (!s.flow) return {};
-  const auto distal = s.flow->distal(s.vessel.lumenDiameter);
-  if (!distal) return {};
-  const double radius = s.vessel.lumenDiameter / 2;
-  const double velocity =
-      s.flow->givenFlowRate(s.vessel.lumenDiameter) / (std::numbers::pi * radius * radius);
-  if (velocity >= FlowParameters::slowest && velocity <= FlowParameters::fastest) return {};
-  return fmt::format(
-      "'distalResistance' in [flow] lets {:.3g} m/s through the lumen at 'perfusionPressure'; allowed are "
-      "{:g} to "
-      "{:g} m/s",
-      velocity, FlowParameters::slowest, FlowParameters::fastest);
-}
-
-Finding crossCheckByItself(const Scene& s, const Units&) {
-  if (!s.flow || !s.flow->isCrossChecked()) return {};
-  const FlowParameters& flow = *s.flow;
-  if (flow.crossCheck == flow.backend)
-    return fmt::format(
-        "'crossCheck' in [flow] is \"{}\", the backend itself; allowed is another one, or \"reference\"",
-        flow.crossCheck);
-  if (flow.crossCheck != flowBackendNames::reference) return {};
-  if (flow.backend == flowBackendNames::analytic)
-    return "'crossCheck' in [flow] is \"reference\", but backend = \"analytic\" has no cells to make finer; "
-           "allowed are \"lbm\" and \"foam\"";
-  const bool ownCells = flow.backend == flowBackendNames::foam ? s.foam.has_value() : s.lbm.has_value();
-  if (s.scene.fidelity != flowBackendNames::reference || ownCells) return {};
-  return "'crossCheck' in [flow] is \"reference\", the scene's own fidelity; allowed is the other backend";
-}
-
-Finding thinningBlood(const Scene& s, const Units&) {
-  if (!s.flow || !s.flow->thinning()) return {};
-  const FlowParameters& flow = *s.flow;
-  if (flow.backend == flowBackendNames::analytic)
-    return fmt::format(
-        "'viscosity' in [flow] is \"{}\", which backend = \"analytic\" cannot solve; allowed are "
-        "\"foam\" and \"lbm\"",
-        flow.viscosity);
-  if (flow.thinning()->infiniteShear > flow.thinning()->zeroShear)
-    return "'zeroShearViscosity' in [flow] is below the viscosity at infinite shear: blood thins, it does "
-           "not thicken";
-  return {};
-}
-
-Finding beatingFlow(const Scene& s, const Units&) {
-  if (!s.flow || !s.flow->isBeating()) return {};
-  const FlowParameters& flow = *s.flow;
-  const std::string_view key = flow.waveformFile.empty() ? "waveform" : "waveformFile";
-  if (!flow.waveformFile.empty() && flow.waveform != "none")
-    return fmt::format("'waveformFile' in [flow] is a waveform, and so is \"{}\"; take one of them out",
-                       flow.waveform);
-  if (flow.backend != flowBackendNames::foam)
-    return fmt::format(
-        "'{}' in [flow] makes the flow beat, which backend = \"{}\" cannot solve; allowed is \"foam\"", key,
-        flow.backend);
-  if (flow.keeps() != FlowConditions::Drive::flowRate)
-    return fmt::format(
-        "'{}' in [flow] says how the flow rate beats, but drive = \"{}\" gives none; allowed are "
-        "\"flowRate\" and \"resistance\"",
-        key, flow.drive);
-  if (flow.isCrossChecked())
-    return fmt::format(
-        "'{}' in [flow] makes the flow beat, and crossCheck = \"{}\" compares steady flows; allowed is "
-        "\"none\"",
-        key, flow.crossCheck);
-  if (flow.waveformFile.empty()) return {};
-  try {
-    readWaveform(flow.waveformFile);
-    return {};
-  } catch (const WaveformError& error) {
-    return fmt::format("'waveformFile' in [flow]: {}", error.what());
-  }
-}
-
-Finding severalOutlets(const Scene& s, const Units&) {
-  if (s.outlets() == Outlets::one) return {};
-  const FlowParameters& flow = *s.flow;
-  if (s.hasTissue())
-    return "'outlets' in [flow] is for lumens that branch, around which no tissue is grown; take it or "
-           "[mechanics] "
-           "out";
-  if (s.vessel.lumenSurface.empty())
-    return "'outlets' in [flow] is for lumens that branch: those of a 'lumenSurface' in [vessel], which is "
-           "not given";
-  if (flow.backend != flowBackendNames::foam)
-    return fmt::format("'outlets' in [flow] cannot be solved by backend = \"{}\"; allowed is \"foam\"",
-                       flow.backend);
-  if (flow.drive != "flowRate")
-    return fmt::format(
-        "'outlets' in [flow] shares out a flow rate, but drive = \"{}\" gives none; allowed is "
-        "\"flowRate\"",
-        flow.drive);
-  if (flow.isBeating())
-    return "'outlets' in [flow] shares out a steady flow; take it out, or 'waveform' and 'waveformFile'";
-  if (flow.isCrossChecked())
-    return fmt::format(
-        "'outlets' in [flow] leaves nothing to compare with; crossCheck is \"{}\", allowed is \"none\"",
-        flow.crossCheck);
-  try {
-    flow.outletsOfTable();
-    return {};
-  } catch (const OutletTableError& error) {
-    return fmt::format("'outlets' in [flow]: {}", error.what());
-  }
-}
-
 /// Of lumens that are taken from tissue; any other has its own triangles.
 Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!s.hasTissue()) return {};
@@ -367,7 +157,7 @@ Finding surfaceTooCoarse(const Scene& s, const Units& u) {
   if (!exceeds(s.coupling.surfaceResolution, coarsest)) return {};
   return fmt::format(
       "'surfaceResolution' in [coupling] is {}; a lumen of {} needs at least ten spacings across: at most {}",
-      shown(u, s.coupling.surfaceResolution, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
+      shownIn(u, s.coupling.surfaceResolution, "um"), shownIn(u, s.vessel.lumenDiameter, "mm"),
       shownAtMost(u.fromSi(coarsest, "um")) + " um");
 }
 
@@ -381,12 +171,12 @@ Finding surfaceTooSmooth(const Scene& s, const Units& u) {
       "'surfaceSmoothing' in [coupling] is {}; it closes what is narrower than twice that, and so must be "
       "well "
       "below the radius of the lumen of {}: at most {}, 0.4 of its diameter",
-      shown(u, s.coupling.surfaceSmoothing, "um"), shown(u, s.vessel.lumenDiameter, "mm"),
+      shownIn(u, s.coupling.surfaceSmoothing, "um"), shownIn(u, s.vessel.lumenDiameter, "mm"),
       shownAtMost(u.fromSi(smoothest, "um")) + " um");
 }
 
-const std::vector<Check>& checks() {
-  static const std::vector<Check> table = {
+const std::vector<SceneCheck>& checks() {
+  static const std::vector<SceneCheck> table = {
       {{"scene.duration", "scene.step"}, durationBelowStep},
       {{"scene.duration", "scene.step"}, durationBetweenSteps},
       {{"scene.step", "scene.duration"}, tooManySteps},
@@ -400,19 +190,6 @@ const std::vector<Check>& checks() {
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
       {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
-      {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
-      {{"vessel.stenosis", "vessel.centreline"}, stenosisOfCentreline},
-      {{"vessel.centreline", "vessel.curvatureRadius"}, bentTwice},
-      {{"vessel.lumenSurface", "vessel.curvatureRadius", "vessel.centreline"}, bendOfLumenSurface},
-      {{"vessel.curvatureRadius", "vessel.lumenDiameter", "vessel.wallThickness", "vessel.length",
-        "stent.deploymentDepth", "mechanics"},
-       arcTooSharp},
-      {{"vessel.centreline", "vessel.lumenDiameter", "vessel.wallThickness", "stent.deploymentDepth",
-        "mechanics"},
-       centrelineTooSharp},
-      {{"vessel.lumenSurface", "vessel.lumenDiameter", "vessel.wallThickness", "stent.deploymentDepth",
-        "mechanics"},
-       surfaceTooSharp},
       {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},
@@ -426,20 +203,6 @@ const std::vector<Check>& checks() {
       {{"endothelium.nitricOxideTransition", "endothelium.nitricOxideSlope",
         "endothelium.nitricOxideConstant", "endothelium.nitricOxideFirst", "endothelium.nitricOxideSecond"},
        nitricOxideFalls},
-      {{"flow.pressureGradient", "flow.drive", "flow.density", "flow.kinematicViscosity", "flow.viscosity",
-        "flow.zeroShearViscosity", "flow.infiniteShearViscosity", "flow.carreauTime", "flow.carreauIndex",
-        "flow.cassonViscosity", "flow.yieldStress", "vessel.lumenDiameter"},
-       driveWithoutGradient},
-      {{"flow.distalResistance", "flow.perfusionPressure", "flow.drive", "vessel.lumenDiameter"}, distalFlow},
-      {{"flow.crossCheck", "flow.backend", "scene.fidelity"}, crossCheckByItself},
-      {{"flow.viscosity", "flow.backend", "flow.crossCheck", "flow.density", "flow.zeroShearViscosity",
-        "flow.infiniteShearViscosity", "flow.cassonViscosity"},
-       thinningBlood},
-      {{"flow.waveformFile", "flow.waveform", "flow.backend", "flow.drive", "flow.crossCheck", "flow.beats"},
-       beatingFlow},
-      {{"flow.outlets", "flow.backend", "flow.drive", "flow.waveform", "flow.waveformFile", "flow.crossCheck",
-        "vessel.lumenSurface", "mechanics"},
-       severalOutlets},
       {{"coupling.surfaceResolution", "vessel.lumenDiameter", "mechanics"}, surfaceTooCoarse},
       {{"coupling.surfaceSmoothing", "vessel.lumenDiameter", "mechanics"}, surfaceTooSmooth},
   };
@@ -538,11 +301,12 @@ double estimatedAgents(const Scene& scene) {
 
 void checkScene(const Scene& scene, const SceneDocument& document, const Units& units,
                 const std::optional<LoadedExtent>& loaded, SceneFindings& findings) {
-  for (const auto& check : checks()) {
-    if (!allReliable(findings, check.reads)) continue;
-    if (Finding message = check.find(scene, units))
-      blame(check.reads, std::move(*message), document, findings);
-  }
+  for (const auto* table : {&checks(), &axisChecks(), &flowChecks()})
+    for (const SceneCheck& check : *table) {
+      if (!allReliable(findings, check.reads)) continue;
+      if (Finding message = check.find(scene, units))
+        blame(check.reads, std::move(*message), document, findings);
+    }
   checkFit(scene, document, findings);
   checkResolution(scene, document, units, loaded, findings);
 }
