@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bridge/surface/VesselAxis.h"
+#include "tissue/parameters/Limit.h"
 
 namespace restenosis {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 /// Of a bent vessel, its outer radius over the radius of curvature at most, by which distances along it
 /// differ from those on its axis, and its angle [rad] (assumed: its ends must not meet).
 constexpr double sharpestBend = 0.25, longestArc = 1.5 * std::numbers::pi;
+
+Finding stenosisInTissue(const Scene& s, const Units&) {
+  if (s.vessel.stenosis == 0 || !s.hasTissue()) return {};
+  return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
+}
 
 Finding stenosisOfLumenSurface(const Scene& s, const Units&) {
   if (s.vessel.stenosis == 0 || s.vessel.lumenSurface.empty()) return {};
@@ -84,10 +90,17 @@ Finding surfaceTooSharp(const Scene& s, const Units& u) {
   return axisTooSharp(s, u, "lumenSurface", "tissue is not built around sharper bends");
 }
 
+Finding stenosisTooLong(const Scene& s, const Units& u) {
+  if (s.vessel.stenosis == 0 || !exceeds(s.vessel.stenosisLength, s.vessel.length)) return {};
+  return fmt::format("'stenosisLength' in [vessel] is {}, longer than the vessel ({})",
+                     shownIn(u, s.vessel.stenosisLength, "mm"), shownIn(u, s.vessel.length, "mm"));
+}
+
 }  // namespace
 
 const std::vector<SceneCheck>& axisChecks() {
   static const std::vector<SceneCheck> table = {
+      {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
       {{"vessel.stenosis", "vessel.lumenSurface"}, stenosisOfLumenSurface},
       {{"vessel.stenosis", "vessel.centreline"}, stenosisOfCentreline},
       {{"vessel.centreline", "vessel.curvatureRadius"}, bentTwice},
@@ -101,6 +114,7 @@ const std::vector<SceneCheck>& axisChecks() {
       {{"vessel.lumenSurface", "vessel.lumenDiameter", "vessel.wallThickness", "stent.deploymentDepth",
         "mechanics"},
        surfaceTooSharp},
+      {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
   };
   return table;
 }

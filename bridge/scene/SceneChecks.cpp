@@ -87,17 +87,6 @@ Finding agentsWithoutTissue(const Scene& s, const Units&) {
   return "'agents' needs [mechanics], which this scene does not have: agents are tissue";
 }
 
-Finding stenosisInTissue(const Scene& s, const Units&) {
-  if (s.vessel.stenosis == 0 || !s.hasTissue()) return {};
-  return "'stenosis' shapes a vessel without tissue; take it or [mechanics] out";
-}
-
-Finding stenosisTooLong(const Scene& s, const Units& u) {
-  if (s.vessel.stenosis == 0 || !exceeds(s.vessel.stenosisLength, s.vessel.length)) return {};
-  return fmt::format("'stenosisLength' in [vessel] is {}, longer than the vessel ({})",
-                     shownIn(u, s.vessel.stenosisLength, "mm"), shownIn(u, s.vessel.length, "mm"));
-}
-
 /// A design such as one ring does not use its length, but who gives one expects it to fit. (Other designs:
 /// validate.)
 Finding ringLongerThanVessel(const Scene& s, const Units& u) {
@@ -189,8 +178,6 @@ const std::vector<SceneCheck>& checks() {
       {{"extracellularMatrix", "cellCycle"}, matrixWithoutCycle},
       {{"endothelium", "cellCycle"}, endotheliumWithoutCycle},
       {{"vessel.agents", "mechanics"}, agentsWithoutTissue},
-      {{"vessel.stenosis", "mechanics"}, stenosisInTissue},
-      {{"vessel.stenosisLength", "vessel.stenosis", "vessel.length"}, stenosisTooLong},
       {{"stent.length", "stent.design", "stent.file", "vessel.length"}, ringLongerThanVessel},
       {{"vessel.cellRadius", "vessel.wallThickness", "vessel.length", "vessel.agents", "mechanics"},
        cellsTooLarge},
