@@ -86,8 +86,9 @@ class Study:
         for key, values in self.grid.items():
             if not isinstance(values, list) or not values:
                 raise WrongStudy(f"{self.file}: '{key}' of the grid must be a list of values")
-        if self.points and (self.grid or len(self.scenes) > 1 or len(self.seeds) > 1):
-            raise WrongStudy(f"{self.file}: a table of points goes with one scene and one seed, and no grid")
+        if self.points and (self.grid or len(self.seeds) > 1):
+            raise WrongStudy(f"{self.file}: a table of points goes with one seed and no grid; it may have a column "
+                             "scene.seed")
         for key in (*self.settings, *self.grid):
             if key == "scene.seed":
                 raise WrongStudy(f"{self.file}: the seeds are given by 'seeds', not by 'scene.seed'")
@@ -98,16 +99,17 @@ class Study:
                 raise WrongStudy(f"{self.file}: no such scene: {self.file.parent / scene}")
 
     def _table(self, settings):
-        """The runs of a table of points: a line each, a column each key; the seed may be one."""
+        """The runs of a table of points: a line each of every scene, a column each key; the seed may be one."""
         try:
             with open(self.file.parent / self.points, newline="") as file:
                 lines = list(csv.DictReader(file))
         except OSError as error:
             raise WrongStudy(f"{self.file.parent / self.points}: {error.strerror}") from error
         runs = {}
-        for number, line in enumerate(lines[:self.first or None], 1):
-            seed = line.pop("scene.seed", self.seeds[0])
-            run = Run((self.file.parent / self.scenes[0]).resolve(), seed, tuple(line.items()), settings, number)
+        for (number, line), scene in itertools.product(enumerate(lines[:self.first or None], 1), self.scenes):
+            seed = line.get("scene.seed", self.seeds[0])
+            point = tuple((key, value) for key, value in line.items() if key != "scene.seed")
+            run = Run((self.file.parent / scene).resolve(), seed, point, settings, number)
             runs[run.name] = run
         if not runs:
             raise WrongStudy(f"{self.file.parent / self.points}: no points")
