@@ -1,25 +1,52 @@
 """How much two solutions of the flow in a ring's vessel differ on its wall, and how far two lumens are from each other."""
 import numpy as np
-from scipy.spatial import cKDTree
-
-from stressQuartiles import triangles
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 INSIDE = (0.2e-3, 1.0e-3)  # along the vessel [m]: without its ends
+PATCH = 30e-6  # as wide as a cell: a cell takes the mean stress of the faces that are nearest to it
+LUMEN_RADIUS = 0.9e-3
+WALL = 0  # of the array `region`
+
+
+def patches(file, field):
+    """Means of a field over the wall between the struts, and areas [m^2], by patch along and around the vessel."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(file))
+    means = vtkPointDataToCellData()
+    means.SetInputConnection(reader.GetOutputPort())
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputConnection(means.GetOutputPort())
+    sizes.Update()
+    surface = sizes.GetOutput()
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    x, y, z = vtk_to_numpy(surface.GetPoints().GetData())[corners].mean(1).T
+    area, values, region = (vtk_to_numpy(surface.GetCellData().GetArray(name)) for name in ("Area", field, "region"))
+    known = (z > INSIDE[0]) & (z < INSIDE[1]) & np.isfinite(values) & (region == WALL)
+    around = int(2 * np.pi * LUMEN_RADIUS / PATCH)
+    patch = (z // PATCH).astype(int) * around + ((np.arctan2(y, x) / (2 * np.pi) + 0.5) * around).astype(int) % around
+    most = int(INSIDE[1] / PATCH + 1) * around
+    areas = np.bincount(patch[known], area[known], most)
+    sums = np.bincount(patch[known], area[known] * values[known], most)
+    return sums / np.where(areas > 0, areas, np.nan), areas
 
 
 def paired(a, b, field):
-    """Areas of the triangles of one lumen file, and a field on them and on the nearest places of the other."""
-    places, area, of_a = triangles(a, field)
-    others, _, of_b = triangles(b, field)
-    of_b = of_b[cKDTree(others).query(places)[1]]
-    known = (places[:, 0] > INSIDE[0]) & (places[:, 0] < INSIDE[1]) & np.isfinite(of_a) & np.isfinite(of_b)
+    """Areas of the patches that both files have, and the field on them in either."""
+    of_a, area = patches(a, field)
+    of_b, _ = patches(b, field)
+    known = np.isfinite(of_a) & np.isfinite(of_b)
     return area[known], of_a[known], of_b[known]
 
 
 def difference(a, b):
-    """L2 of the difference of the stress, of the stress [%]."""
+    """L2 of the difference of the stress, and the difference of its mean, of the stress [%]."""
     area, of_a, of_b = paired(a, b, "WSS")
-    return round(100 * np.sqrt(np.average((of_b - of_a) ** 2, weights=area) / np.average(of_a**2, weights=area)), 2)
+    norm, mean = np.sqrt(np.average(of_a**2, weights=area)), np.average(of_a, weights=area)
+    return (round(100 * np.sqrt(np.average((of_b - of_a) ** 2, weights=area)) / norm, 2),
+            round(100 * (np.average(of_b, weights=area) / mean - 1), 2))
 
 
 def moved(a, b):

@@ -8,9 +8,9 @@
 
 #include "bridge/app/ComparedLumen.h"
 #include "bridge/app/ExitStatus.h"
-#include "bridge/compare/ProbeTable.h"
 #include "bridge/flow/FlowBackend.h"
 #include "bridge/output/ResultsFolder.h"
+#include "tissue/parameters/CsvLines.h"
 
 namespace restenosis {
 
@@ -23,7 +23,7 @@ int exitStatusOf(const std::function<int()>& work, const Advice& advice) {
   } catch (const LumenRefused& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
-  } catch (const ProbeTableError& error) {
+  } catch (const TableError& error) {
     std::cerr << error.what() << '\n';
     return ExitStatus::wrongInput;
   } catch (const CheckpointRefused& error) {

@@ -65,10 +65,10 @@ struct FlowParameters {
   /// Of meanVelocity in the undeformed lumen, or what `distal` would let through a vessel without resistance
   /// [m^3/s].
   double givenFlowRate(double lumenDiameter) const;
-  /// How the flow rate beats, as `waveform` or the table says; nothing of steady flow. Throws WaveformError
+  /// How the flow rate beats, as `waveform` or the table says; nothing of steady flow. Throws TableError
   /// for a table that cannot be used, and std::invalid_argument for a word that is none of waveform's.
   std::optional<Beating> beating() const;
-  /// The outlets of the table, sorted by name; none without one. Throws OutletTableError.
+  /// The outlets of the table, sorted by name; none without one. Throws TableError.
   std::vector<Outlet> outletsOfTable() const;
   /// The conditions of steady flow that a backend solves for; the flow rate is the mean velocity times the
   /// undeformed lumen's area.

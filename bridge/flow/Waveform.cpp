@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <utility>
 
-#include "tissue/parameters/Trimmed.h"
+#include "tissue/parameters/Shown.h"
 
 namespace restenosis {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\"";
 constexpr std::size_t fewestPoints = 4;
 /// How far the last flow rate may be from the first, over the largest (assumed: what rounding leaves).
 constexpr double closesWithin = 0.01;
@@ -41,13 +35,6 @@ std::complex<double> meanWith(std::span<const WaveformPoint> points, double k) {
            slope / (k * k) * (std::exp(-1i * k * to) - std::exp(-1i * k * from));
   }
   return sum / period;
-}
-
-std::optional<double> numberOf(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 }  // namespace
@@ -86,47 +73,32 @@ double seriesError(const Waveform& waveform, std::span<const WaveformPoint> poin
 }
 
 std::vector<WaveformPoint> readWaveform(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw WaveformError(fmt::format("{}: cannot be opened", file.string()));
-  std::size_t line = 0;
-  const auto fail = [&](const std::string& message) {
-    throw WaveformError(fmt::format("{}:{}: {}", file.string(), line, message));
-  };
+  using Cells = std::vector<std::string_view>;
+  CsvLines lines(file);
   std::vector<WaveformPoint> points;
-  bool header = true;
-  for (std::string text; std::getline(stream, text);) {
-    ++line;
-    const std::string_view content = trimmed(std::string_view(text).substr(0, text.find('#')), blanks);
-    if (content.empty()) continue;
-    const auto comma = content.find(',');
-    const std::string_view first = trimmed(content.substr(0, comma), blanks);
-    const std::string_view second =
-        comma == std::string_view::npos ? std::string_view() : trimmed(content.substr(comma + 1), blanks);
-    if (std::exchange(header, false)) {
-      if (first != "time" || second != "flowRate")
-        fail(fmt::format("'{}' is no header of a waveform; it must be 'time,flowRate'", content));
-      continue;
-    }
-    const auto time = numberOf(first), flowRate = numberOf(second);
-    if (!time || !flowRate)
-      fail(fmt::format("'{}' is not a time in seconds and a flow rate, two numbers with a comma between",
-                       content));
+  if (lines.next() && lines.cells() != Cells{"time", "flowRate"})
+    lines.fail(fmt::format("{} is no header of a waveform; it must be 'time,flowRate'", shown(lines.text())));
+  while (lines.next()) {
+    const Cells cells = lines.cells();
+    const auto time = finiteNumber(cells.front()), flowRate = finiteNumber(cells.back());
+    if (cells.size() != 2 || !time || !flowRate)
+      lines.fail(fmt::format("{} is not a time in seconds and a flow rate, two numbers with a comma between",
+                             shown(lines.text())));
     if (!points.empty() && !(*time > points.back().time))
-      fail(fmt::format("the time {:g} s does not come after {:g} s", *time, points.back().time));
+      lines.fail(fmt::format("the time {:g} s does not come after {:g} s", *time, points.back().time));
     points.push_back({*time, *flowRate});
   }
   if (points.size() < fewestPoints)
-    throw WaveformError(fmt::format("{}: holds {} points of a waveform; at least {} are needed",
-                                    file.string(), points.size(), fewestPoints));
+    lines.failWhole(
+        fmt::format("holds {} points of a waveform; at least {} are needed", points.size(), fewestPoints));
   const auto size = [](const WaveformPoint& p) { return std::abs(p.flowRate); };
   const double largest = size(*std::ranges::max_element(points, {}, size));
   if (std::abs(points.back().flowRate - points.front().flowRate) > closesWithin * largest)
-    fail(fmt::format(
+    lines.fail(fmt::format(
         "the beat ends with the flow rate {:g}, but began with {:g}: its last point must be the first "
         "of the next beat",
         points.back().flowRate, points.front().flowRate));
-  if (!(meanWith(points, 0).real() > 0))
-    throw WaveformError(fmt::format("{}: the mean flow rate is not positive", file.string()));
+  if (!(meanWith(points, 0).real() > 0)) lines.failWhole("the mean flow rate is not positive");
   return points;
 }
 

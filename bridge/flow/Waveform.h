@@ -4,8 +4,9 @@
 #include <complex>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <vector>
+
+#include "tissue/parameters/CsvLines.h"
 
 namespace restenosis {
 
@@ -27,11 +28,6 @@ struct WaveformPoint {
   double time, flowRate;
 };
 
-/// A waveform that cannot be used; the message names the file and, where there is one, the line.
-struct WaveformError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The series of a curve that is straight from point to point, t = 0 at the first. Times must increase; the
 /// last point is the first one of the next beat. The mean must be positive.
 Waveform waveformThrough(std::span<const WaveformPoint> points);
@@ -41,7 +37,7 @@ double seriesError(const Waveform& waveform, std::span<const WaveformPoint> poin
 
 /// Reads a table: the line `time,flowRate`, then at least four lines of a time [s] and a flow rate in any
 /// unit, one beat from its first time to its last, where the flow rate is again what it was. Lines may be
-/// empty or comments that begin with #. Throws WaveformError.
+/// empty or comments that begin with #. Throws TableError.
 std::vector<WaveformPoint> readWaveform(const std::filesystem::path& file);
 
 }  // namespace restenosis

@@ -94,7 +94,7 @@ Finding beatingFlow(const Scene& s, const Units&) {
   try {
     readWaveform(flow.waveformFile);
     return {};
-  } catch (const WaveformError& error) {
+  } catch (const TableError& error) {
     return fmt::format("'waveformFile' in [flow]: {}", error.what());
   }
 }
@@ -126,7 +126,7 @@ Finding severalOutlets(const Scene& s, const Units&) {
   try {
     flow.outletsOfTable();
     return {};
-  } catch (const OutletTableError& error) {
+  } catch (const TableError& error) {
     return fmt::format("'outlets' in [flow]: {}", error.what());
   }
 }

@@ -127,7 +127,7 @@ std::string outletProblem(const Scene& scene, const std::vector<std::string>& of
   };
   return fmt::format("the table names the outlets {}, but 'lumenSurface' has {}", list(ofTable),
                      list(ofSurface));
-} catch (const OutletTableError&) {
+} catch (const TableError&) {
   return {};
 }
 

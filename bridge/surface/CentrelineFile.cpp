@@ -9,11 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -21,52 +17,32 @@
 #include "bridge/system/FileContent.h"
 #include "bridge/system/OwnProcess.h"
 #include "tissue/agents/StateArchive.h"
-#include "tissue/parameters/Trimmed.h"
+#include "tissue/parameters/CsvLines.h"
+#include "tissue/parameters/Shown.h"
 
 namespace restenosis {
 namespace {
 
 constexpr std::size_t mostPointsKept = 400;
 constexpr std::string_view radiusArray = "MaximumInscribedSphereRadius";
-constexpr std::string_view besideNumbers = " \t\r";
-
-/// The numbers of a line between commas; nothing where one of them is none.
-std::vector<double> numbersOf(std::string_view line) {
-  std::vector<double> numbers;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    const std::string_view word = trimmed(line.substr(from, comma - from), besideNumbers);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return {};
-    numbers.push_back(value);
-    from = comma + 1;
-  }
-  return numbers;
-}
 
 CentrelinePoints readTable(const std::filesystem::path& file) {
-  std::istringstream lines(contentOf(file));
+  if (const std::string obstacle = fileObstacle(file); !obstacle.empty()) refuseFile(file, obstacle);
+  CsvLines lines(file);
   CentrelinePoints read;
-  std::size_t line = 0, columns = 0;
-  for (std::string text; std::getline(lines, text);) {
-    ++line;
-    const std::string_view content = trimmed(std::string_view(text).substr(0, text.find('#')), besideNumbers);
-    if (content.empty()) continue;
-    const auto fail = [&](const std::string& message) {
-      throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), line, message));
-    };
-    if (columns == 0) {
-      columns = content == "x,y,z,radius" ? 4 : 3;
-      if (columns == 3 && content != "x,y,z")
-        fail(fmt::format("'{}' is no header of a centreline; it must be 'x,y,z' or 'x,y,z,radius'", content));
-      continue;
-    }
-    const std::vector<double> numbers = numbersOf(content);
-    if (numbers.size() != columns)
-      fail(fmt::format("'{}' is not {} numbers with commas between", content, columns));
+  const std::size_t columns = lines.next() && lines.text() == "x,y,z,radius" ? 4 : 3;
+  if (columns == 3 && lines.number() != 0 && lines.text() != "x,y,z")
+    lines.fail(fmt::format("{} is no header of a centreline; it must be 'x,y,z' or 'x,y,z,radius'",
+                           shown(lines.text())));
+  while (lines.next()) {
+    std::vector<double> numbers;
+    for (const std::string_view cell : lines.cells())
+      if (const auto number = finiteNumber(cell)) numbers.push_back(*number);
+    if (numbers.size() != columns || lines.cells().size() != columns)
+      lines.fail(fmt::format("{} is not {} numbers with commas between", shown(lines.text()), columns));
     read.points.emplace_back(numbers[0], numbers[1], numbers[2]);
-    if (columns == 4 && !(numbers[3] > 0)) fail(fmt::format("the radius {:g} is not positive", numbers[3]));
+    if (columns == 4 && !(numbers[3] > 0))
+      lines.fail(fmt::format("the radius {:g} is not positive", numbers[3]));
     if (columns == 4) read.radii.push_back(numbers[3]);
   }
   return read;

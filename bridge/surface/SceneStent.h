@@ -13,7 +13,7 @@ namespace restenosis {
 /// those that cover the struts of a surface file (`coverSolid`), told by its name's ending (SurfaceFile.h).
 /// It must lie within the vessel, roughly: by this a mistaken unit is told. Whether spheres fit is for
 /// outwardsToLumen to say. Throws std::runtime_error, which names the file and says what is wrong and what is
-/// allowed; AgentTableError for a table.
+/// allowed; TableError for a table.
 AgentTable readStruts(const StentParameters& stent, const VesselParameters& vessel);
 
 /// What the surface file that a stent names holds, for people; empty where it names none. Throws as

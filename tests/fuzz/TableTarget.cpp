@@ -25,7 +25,7 @@ void fuzzTable(std::string_view input) {
     try {
       if (readAgentTable(copy).agents.size() != table.agents.size())
         throw std::logic_error("agents are lost");
-    } catch (const AgentTableError& error) {
+    } catch (const TableError& error) {
       throw std::logic_error(error.what());  // a table that was written must be read
     }
   });

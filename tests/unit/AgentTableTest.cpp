@@ -17,7 +17,7 @@ class AgentTableTest : public testing::Test {
     write(text);
     try {
       readAgentTable(file);
-    } catch (const AgentTableError& error) {
+    } catch (const TableError& error) {
       return error.what();
     }
     return "no error";
@@ -135,8 +135,8 @@ TEST_F(AgentTableTest, NamesFileAndLineOfEveryError) {
     const std::string error = errorOf(text);
     EXPECT_TRUE(error.starts_with(file.string() + message)) << error;
   }
-  EXPECT_THROW(readAgentTable("/nowhere/agents.csv"), AgentTableError);
-  EXPECT_THROW(writeAgentTable("/nowhere/agents.csv", AgentStore()), AgentTableError);
+  EXPECT_THROW(readAgentTable("/nowhere/agents.csv"), TableError);
+  EXPECT_THROW(writeAgentTable("/nowhere/agents.csv", AgentStore()), TableError);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ class OutletTable : public ::testing::Test {
   std::string refused(const std::string& text) const {
     try {
       read(text);
-    } catch (const OutletTableError& error) {
+    } catch (const TableError& error) {
       return error.what();
     }
     return "accepted";
@@ -51,7 +51,7 @@ TEST_F(OutletTable, ThatIsWrongIsRefusedWithItsLine) {
   EXPECT_SAYS(refused("solid,share\na,0.5\nb,0.6\n"), "the shares are 1.1 together; they must be 1");
   EXPECT_SAYS(refused("solid,share\na,1\n"), "holds 1 outlets; a lumen with one needs no table");
   EXPECT_SAYS(refused(""), "holds 0 outlets");
-  EXPECT_THROW(readOutlets("/nowhere.csv"), OutletTableError);
+  EXPECT_THROW(readOutlets("/nowhere.csv"), TableError);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ class ProbeTable : public ::testing::Test {
   std::string refusal(const std::string& text) const {
     try {
       read(text);
-    } catch (const ProbeTableError& error) {
+    } catch (const TableError& error) {
       return error.what();
     }
     return "";
@@ -40,7 +40,7 @@ TEST_F(ProbeTable, saysWhatIsWrongAndWhere) {
   EXPECT_SAYS(refusal("x_mm,y_mm,z_mm\n0,1e,0\n"), "points.csv:2: ");
   EXPECT_SAYS(refusal("x_mm,y_mm,z_mm\n"), "holds no points");
   EXPECT_SAYS(refusal(""), "holds no points");
-  EXPECT_THROW(readProbes(folder / "none.csv"), ProbeTableError);
+  EXPECT_THROW(readProbes(folder / "none.csv"), TableError);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class StrutFitTest : public testing::Test {
     try {
       outwardsToLumen(struts(), vessel);
       return "accepted";
-    } catch (const AgentTableError& error) {
+    } catch (const TableError& error) {
       const std::string message = error.what();
       EXPECT_TRUE(message.starts_with(file)) << message;
       return message.substr(file.size());

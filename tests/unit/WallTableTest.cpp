@@ -28,7 +28,7 @@ class WallTable : public testing::Test {
     try {
       readWallTable(vessel, deploymentDepth);
       return "accepted";
-    } catch (const AgentTableError& error) {
+    } catch (const TableError& error) {
       const std::string message = error.what();
       EXPECT_TRUE(message.starts_with(vessel.agents)) << message;
       return message.substr(vessel.agents.size());

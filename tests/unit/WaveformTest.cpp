@@ -68,7 +68,7 @@ TEST(Waveform, OfATableThatIsNoneIsRefusedWithItsLine) {
     try {
       readWaveform(file);
       return "accepted";
-    } catch (const WaveformError& error) {
+    } catch (const TableError& error) {
       return std::string(error.what()).substr(file.string().size());
     }
   };
@@ -84,7 +84,7 @@ TEST(Waveform, OfATableThatIsNoneIsRefusedWithItsLine) {
   EXPECT_TRUE(
       said("time,flowRate\n0,1\n1,-2\n2,-2\n3,1\n").starts_with(": the mean flow rate is not positive"));
   std::filesystem::remove(file);
-  EXPECT_THROW(readWaveform(file), WaveformError);
+  EXPECT_THROW(readWaveform(file), TableError);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::vector<StrutSphere> coverWithSpheres(const std::vector<StrutSegment>& segme
 Stent stentOfDesign(const StentParameters& stent, const VesselParameters& vessel);
 
 /// The stent of spheres from a file before deployment: each a strut segment of its own, moved along their
-/// radii so that the outermost touches the lumen. Throws AgentTableError for spheres that do not fit the
+/// radii so that the outermost touches the lumen. Throws TableError for spheres that do not fit the
 /// vessel (`outwardsToLumen`).
 Stent stentOfSpheres(const AgentTable& struts, const VesselParameters& vessel);
 

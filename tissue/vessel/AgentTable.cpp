@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -15,13 +14,9 @@
 #include "tissue/parameters/LengthUnits.h"
 #include "tissue/parameters/NearestName.h"
 #include "tissue/parameters/Shown.h"
-#include "tissue/parameters/Trimmed.h"
 
 namespace restenosis {
 namespace {
-
-/// What spreadsheets put before UTF-8 text.
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 constexpr std::array<std::pair<std::string_view, AgentKind>, 4> kinds = {
     {{"smc", AgentKind::smc}, {"iel", AgentKind::iel}, {"eel", AgentKind::eel}, {"strut", AgentKind::strut}}};
@@ -32,21 +27,6 @@ constexpr std::array<std::string_view, columnCount> columnNames = {"x",      "y"
 
 // Share of a radius that omitted digits may change.
 constexpr double rounding = 1e-3;
-
-// Quotes too, as spreadsheets write them.
-constexpr std::string_view blanks = " \t\r\"";
-
-std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find('#')); }
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const auto comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma), blanks));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 /// What seems to separate the cells of a text instead of commas, for messages; empty if nothing does.
 std::string_view otherSeparator(std::string_view text) {
@@ -61,71 +41,39 @@ std::string_view otherSeparator(std::string_view text) {
 class TableReader {
  public:
   TableReader(const std::filesystem::path& file, AgentKind defaultKind)
-      : file_(file), stream_(file), defaultKind_(defaultKind) {
-    if (!stream_) throw AgentTableError(fmt::format("{}: cannot be opened", file.string()));
-  }
+      : file_(file), lines_(file), defaultKind_(defaultKind) {}
 
   AgentTable read() {
     AgentTable table{.file = file_, .agents = {}, .lines = {}};
-    bool header = true;
-    for (std::string_view text; nextLine(text);) {
-      ++line_;
-      if (line_ == 1 && text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-      text = trimmed(withoutComment(text), blanks);
-      if (text.empty()) continue;
-      if (std::exchange(header, false)) {
-        readHeader(text);
-      } else {
-        readAgent(text, table.agents);
-        table.lines.push_back(line_);
-      }
+    if (lines_.next()) readHeader();
+    while (lines_.next()) {
+      readAgent(table.agents);
+      table.lines.push_back(lines_.number());
     }
-    if (stream_.bad()) fail("cannot be read any further");
-    if (table.agents.size() == 0) throw AgentTableError(fmt::format("{}: holds no agents", file_.string()));
+    if (table.agents.size() == 0) lines_.failWhole("holds no agents");
     return table;
   }
 
  private:
-  /// Reads the next line. Lines end with LF, CRLF, or CR alone (old spreadsheets).
-  bool nextLine(std::string_view& line) {
-    if (!rest_) {
-      if (!std::getline(stream_, buffer_)) return false;
-      rest_ = buffer_;
-      if (rest_->ends_with('\r')) rest_->remove_suffix(1);
-    }
-    const auto end = rest_->find('\r');
-    line = rest_->substr(0, end);
-    if (end == std::string_view::npos) {
-      rest_.reset();
-    } else {
-      rest_->remove_prefix(end + 1);
-    }
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw AgentTableError(fmt::format("{}:{}: {}", file_.string(), line_, message));
-  }
-
   /// Fails with the message, or with its cause where the separator is another one, as spreadsheets write it
   /// in countries with decimal commas.
   [[noreturn]] void failIn(std::string_view text, const std::string& message) const {
     const auto other = otherSeparator(text);
-    if (other.empty()) fail(message);
-    fail(fmt::format(
+    if (other.empty()) lines_.fail(message);
+    lines_.fail(fmt::format(
         "{}: its cells seem to be separated by {}, but commas separate the cells of a table, as in "
         "\"x,y,z,radius\", and decimals have a point",
         shown(text), other));
   }
 
-  void readHeader(std::string_view text) {
-    const auto names = cellsOf(text);
+  void readHeader() {
+    const auto names = lines_.cells();
     width_ = names.size();
     for (std::size_t n = 0; n < names.size(); ++n) {
       bool known = false;
       for (int column = 0; column < columnCount; ++column) {
         if (names[n] != columnNames[column]) continue;
-        if (place_[column]) fail(fmt::format("column '{}' appears twice", names[n]));
+        if (place_[column]) lines_.fail(fmt::format("column '{}' appears twice", names[n]));
         place_[column] = n;
         known = true;
       }
@@ -136,21 +84,22 @@ class TableReader {
     }
     for (int column = 0; column < columnKind; ++column) {
       if (!place_[column]) {
-        fail(fmt::format("column '{}' is missing; needed are x, y, z, radius (um)", columnNames[column]));
+        lines_.fail(
+            fmt::format("column '{}' is missing; needed are x, y, z, radius (um)", columnNames[column]));
       }
     }
   }
 
-  void readAgent(std::string_view text, AgentStore& agents) const {
-    const auto cells = cellsOf(text);
+  void readAgent(AgentStore& agents) const {
+    const auto cells = lines_.cells();
     if (cells.size() != width_) {
-      failIn(text, fmt::format("{} cells where the header names {} columns", cells.size(), width_));
+      failIn(lines_.text(), fmt::format("{} cells where the header names {} columns", cells.size(), width_));
     }
     std::array<double, columnKind> value;
     for (int column = 0; column < columnKind; ++column) {
       value[column] = um * number(cells[*place_[column]], columnNames[column]);
     }
-    if (!(value[columnRadius] > 0)) fail("the radius must be larger than 0 um");
+    if (!(value[columnRadius] > 0)) lines_.fail("the radius must be larger than 0 um");
     const AgentKind kind = place_[columnKind] ? kindOf(cells[*place_[columnKind]]) : defaultKind_;
     const Index i =
         agents.append(kind, {value[columnX], value[columnY], value[columnZ]}, value[columnRadius]);
@@ -162,7 +111,7 @@ class TableReader {
     const double atBirth = um * number(cell, columnNames[columnBirthRadius]);
     const double least = radius / std::cbrt(2.0);
     if (atBirth >= least * (1 - rounding) && atBirth <= radius * (1 + rounding)) return atBirth;
-    fail(fmt::format(
+    lines_.fail(fmt::format(
         "a birthRadius of {:.6g} um; allowed are {:.6g} to {:.6g} um: a cell of the radius {:.6g} "
         "um has at most twice the volume of its birth, and not less than it",
         atBirth / um, least / um, radius / um, radius / um));
@@ -171,12 +120,9 @@ class TableReader {
   double number(std::string_view cell, std::string_view column) const {
     std::string_view digits = cell;
     if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-      failIn(cell, fmt::format("column '{}': {} is not a finite number", column, shown(cell)));
-    }
-    return value;
+    const auto value = finiteNumber(digits);
+    if (!value) failIn(cell, fmt::format("column '{}': {} is not a finite number", column, shown(cell)));
+    return *value;
   }
 
   AgentKind kindOf(std::string_view cell) const {
@@ -185,19 +131,17 @@ class TableReader {
     }
     // A table of struts holds nothing else
     if (defaultKind_ == AgentKind::strut)
-      fail(fmt::format("unknown kind {}{}; the column may be left out", shown(cell),
-                       suggestion(cell, {"strut"})));
+      lines_.fail(fmt::format("unknown kind {}{}; the column may be left out", shown(cell),
+                              suggestion(cell, {"strut"})));
     std::vector<std::string_view> names;
     for (const auto& [name, kind] : kinds) names.push_back(name);
-    fail(fmt::format("unknown kind {}{}", shown(cell), suggestion(cell, names)));
+    lines_.fail(fmt::format("unknown kind {}{}", shown(cell), suggestion(cell, names)));
   }
 
   std::filesystem::path file_;
-  std::ifstream stream_;
-  std::string buffer_;                    ///< up to a line feed
-  std::optional<std::string_view> rest_;  ///< unread lines of the buffer, if any
+  CsvLines lines_;
   AgentKind defaultKind_;
-  std::size_t line_ = 0, width_ = 0;
+  std::size_t width_ = 0;
   std::array<std::optional<std::size_t>, columnCount> place_;
 };
 
@@ -210,8 +154,8 @@ std::string AgentTable::placeOf(Index i) const {
 }
 
 void AgentTable::fail(Index i, const std::string& message) const {
-  if (lines.empty()) throw AgentTableError(fmt::format("{}: {}: {}", file.string(), placeOf(i), message));
-  throw AgentTableError(fmt::format("{}:{}: {}", file.string(), lines[i], message));
+  if (lines.empty()) throw TableError(fmt::format("{}: {}: {}", file.string(), placeOf(i), message));
+  throw TableError(fmt::format("{}:{}: {}", file.string(), lines[i], message));
 }
 
 AgentTable readAgentTable(const std::filesystem::path& file, AgentKind defaultKind) {
@@ -227,7 +171,7 @@ void writeAgentTable(const std::filesystem::path& file, const AgentStore& agents
                           agents.birthRadius[i] / um);
   }
   stream.flush();
-  if (!stream) throw AgentTableError(fmt::format("{}: cannot be written", file.string()));
+  if (!stream) throw TableError(fmt::format("{}: cannot be written", file.string()));
 }
 
 }  // namespace restenosis

@@ -4,7 +4,7 @@
 
 namespace restenosis {
 
-/// Throws AgentTableError where two agents of a table with known lines are at one place: a bond of length 0
+/// Throws TableError where two agents of a table with known lines are at one place: a bond of length 0
 /// has no strain, a force between the two no direction, and a duplicate sphere pushes twice.
 void requireDistinctPlaces(const AgentTable& table);
 

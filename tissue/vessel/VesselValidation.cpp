@@ -32,7 +32,7 @@ void checkWall(const VesselParameters& v, std::optional<double> depth, Parameter
     // Without a valid depth the stent's final place is not checked
     if (!problems.known("stent.deploymentDepth")) depth.reset();
     readWallTable(v, depth);
-  } catch (const AgentTableError& error) {
+  } catch (const TableError& error) {
     problems.add({"vessel.agents", error.what()});
   }
 }

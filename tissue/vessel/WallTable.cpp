@@ -50,7 +50,7 @@ class WallTableCheck {
   double reach(Index i) const { return radiusOf(agents_.position(i)) + agents_.radius[i]; }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw AgentTableError(fmt::format("{}: {}", table_.file.string(), message));
+    throw TableError(fmt::format("{}: {}", table_.file.string(), message));
   }
 
   void checkAgent(Index i) const {

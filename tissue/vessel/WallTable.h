@@ -13,7 +13,7 @@ namespace restenosis {
 /// fit the vessel (model 2, loaded walls): radii like `vessel.cellRadius`, centres along its length and about
 /// its axis, no two at the same place. A wall with laminae or a stent surrounds the axis, without long gaps,
 /// and nothing but the EEL lies outside of it. Beside a stent it holds no struts and encloses the place that
-/// the stent is pressed to. Throws AgentTableError, with the line of the first agent that does not fit.
+/// the stent is pressed to. Throws TableError, with the line of the first agent that does not fit.
 AgentStore readWallTable(const VesselParameters& vessel, std::optional<double> deploymentDepth);
 
 /// Remark on a wall with laminae that is shorter than `vessel.length`: no agent is where the ends are held,
