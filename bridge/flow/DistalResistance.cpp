@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "bridge/flow/RepeatedSolution.h"
+
 namespace restenosis {
 namespace {
 
@@ -39,22 +41,16 @@ FlowSolution DistalResistance::solve(const TriSurface& lumen, const FlowConditio
   given.distal.reset();
   given.beating.reset();
   std::optional<Solved> before;
-  int iterations = 0;
-  double meshSeconds = 0, solveSeconds = 0;
+  RepeatedSolution solutions(wrapped(), lumen, caseFolder);
   for (int n = 0; n < mostSolutions; ++n) {
-    if (n > 0 && !caseFolder.empty()) std::filesystem::remove_all(caseFolder);
-    FlowSolution solution = wrapped().solve(lumen, given, caseFolder);
-    solution.iterations = iterations += solution.iterations;
-    solution.meshSeconds = meshSeconds += solution.meshSeconds;
-    solution.solveSeconds = solveSeconds += solution.solveSeconds;
+    FlowSolution solution = solutions.next(given);
     // Pressure that a wider outlet regains is not a resistance below none
     const Solved last{given.flowRate, std::max(0.0, solution.pressureDrop / given.flowRate)};
     const double wanted = flowRateOf(*conditions.distal, last, before);
     if (std::abs(wanted / given.flowRate - 1) < settled) {
       if (!conditions.beating) return solution;
       given.beating = conditions.beating;  // about the mean that is found
-      if (!caseFolder.empty()) std::filesystem::remove_all(caseFolder);
-      return wrapped().solve(lumen, given, caseFolder);
+      return solutions.next(given);
     }
     before = last;
     given.flowRate = wanted;

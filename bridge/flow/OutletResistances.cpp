@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/flow/RepeatedSolution.h"
+
 namespace restenosis {
 namespace {
 
@@ -47,14 +49,9 @@ FlowSolution OutletResistances::solve(const TriSurface& lumen, const FlowConditi
       std::ranges::none_of(conditions.outlets, [](const Outlet& outlet) { return outlet.resistance > 0; });
   if (given) return wrapped().solve(lumen, conditions, caseFolder);
   FlowConditions tried = conditions;
-  int iterations = 0;
-  double meshSeconds = 0, solveSeconds = 0;
+  RepeatedSolution solutions(wrapped(), lumen, caseFolder);
   for (int n = 0; n < mostTries; ++n) {
-    if (n > 0 && !caseFolder.empty()) std::filesystem::remove_all(caseFolder);
-    FlowSolution solution = wrapped().solve(lumen, tried, caseFolder);
-    solution.iterations = iterations += solution.iterations;
-    solution.meshSeconds = meshSeconds += solution.meshSeconds;
-    solution.solveSeconds = solveSeconds += solution.solveSeconds;
+    FlowSolution solution = solutions.next(tried);
     const Ways ways = waysOf(solution, tried.outlets);
     if (ways.disagreement < agreed) return solution;
     for (std::size_t i = 0; i < ways.shares.size(); ++i) tried.outlets[i].share = ways.shares[i];
