@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <stdexcept>
 
 #include "bridge/surface/StlFile.h"
@@ -125,15 +124,15 @@ EndPlane endPlane(const TriSurface& lumen, SurfaceRegion end) {
 }
 
 std::vector<std::array<std::uint32_t, 2>> endRim(const TriSurface& lumen, SurfaceRegion end) {
-  std::set<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::array<std::uint32_t, 2>> edges, rim;
   for (std::size_t i = 0; i < lumen.triangles.size(); ++i) {
     if (lumen.region[i] != end) continue;
     const auto& t = lumen.triangles[i];
-    for (std::size_t k = 0; k < 3; ++k) edges.insert({t[k], t[(k + 1) % 3]});
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
   }
-  std::vector<std::array<std::uint32_t, 2>> rim;
+  std::ranges::sort(edges);
   for (const auto& [from, to] : edges)
-    if (!edges.contains({to, from})) rim.push_back({from, to});
+    if (!std::ranges::binary_search(edges, std::array{to, from})) rim.push_back({from, to});
   return rim;
 }
 
