@@ -14,8 +14,8 @@ namespace {
 
 using d3q19::Step;
 
-/// Pairs of steps in which the populations of the layer adapt to a velocity that is already right: more change
-/// what comes in by a ten-thousandth of the largest.
+/// Pairs of steps in which the populations of the layer adapt to a velocity that is already right: more
+/// change what comes in by a ten-thousandth of the largest.
 constexpr int settlingPairs = 60;
 
 /// What the links of the layer cross, as regions of three triangles.
