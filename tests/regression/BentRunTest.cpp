@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -11,6 +12,7 @@
 #include "bridge/surface/StlFile.h"
 #include "bridge/surface/VesselAxis.h"
 #include "tests/support/OpenFoamPresent.h"
+#include "tests/support/ViewState.h"
 #include "tests/support/WholeProgram.h"
 
 namespace restenosis {
@@ -118,6 +120,32 @@ contactLaw = "hertzNeoHookean"
   const CsvColumns profile(folder / "out/profile.csv");
   EXPECT_NEAR(1e-3 * profile.values.at("z_mm").back().value() / vessel.length, 1, 5e-3);
   EXPECT_NE(read("out/tissue/tissue_000000.vtp")->GetPointData()->GetArray("straightPosition"), nullptr);
+}
+
+TEST_F(BentRun, IsCutInTheStateOfParaViewWhereItBends) {
+  if (!picturesPackagesPresent())
+    GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
+  // In a plane between x and y
+  std::string table = "x,y,z\n";
+  for (int n = 0; n <= 20; ++n) {
+    const double angle = n * 1.2 / 20 / 5, across = 5 * (1 - std::cos(angle)) / std::sqrt(2);
+    table += fmt::format("{},{},{}\n", across, across, 5 * std::sin(angle));
+  }
+  writeText(folder / "axis.csv", table);
+  const std::string bent = scene("bent", R"([scene]
+title = "Bent"
+duration = "1 h"
+step = "1 h"
+[vessel]
+centreline = "axis.csv"
+lumenDiameter = "1.8 mm"
+wallThickness = "0.2 mm"
+cellRadius = "30 um"
+[mechanics]
+contactLaw = "hertzNeoHookean"
+)");
+  ASSERT_EXIT_STATUS(run({"run", bent, "-o", "out", "--set", "output.pictures=false"}), 0);
+  checkView(folder / "out");
 }
 
 TEST_F(BentRun, TooSharplyIsRefused) {

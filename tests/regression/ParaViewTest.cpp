@@ -6,12 +6,12 @@
 #include "tests/support/Process.h"
 #include "tests/support/SyntheticResults.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tests/support/ViewState.h"
 
 namespace restenosis {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 
 const char* const noParaView =
     "ParaView's Python is not installed (pvpython, or what RESTENOSIS_PVPYTHON names)";
@@ -22,24 +22,6 @@ std::optional<std::string> pvpython() {
   if (const char* chosen = std::getenv("RESTENOSIS_PVPYTHON")) return chosen;
   if (std::system("command -v pvpython >/dev/null") == 0) return "pvpython";
   return std::nullopt;
-}
-
-bool picturesPackagesPresent() {
-  return std::system("/usr/bin/python3 -c 'import matplotlib, vtkmodules' >/dev/null 2>&1") == 0;
-}
-
-/// Has the state written for the results in `folder`, and checks it; the further arguments are
-/// checkView.py's.
-void checkView(const fs::path& folder, std::vector<std::string> arguments = {}) {
-  const std::string figures = RESTENOSIS_SOURCE_DIR "/bridge/output/figures";
-  const ProcessEnd written =
-      Process({"/usr/bin/python3", "-I", "-B", figures, folder.string(), "view.pvsm"}, folder).wait(60s);
-  ASSERT_EQ(written.status, 0) << toString(written);
-  const std::string script = RESTENOSIS_SOURCE_DIR "/tests/regression/checkView.py";
-  std::vector<std::string> command{"/usr/bin/python3", "-B", script, folder.string()};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  const ProcessEnd end = Process(command, folder).wait(300s);
-  EXPECT_EQ(end.status, 0) << toString(end);
 }
 
 /// The folder is RESTENOSIS_RESULTS where set (a real run, with its OpenFOAM cases), else made-up results.

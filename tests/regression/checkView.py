@@ -75,10 +75,25 @@ def check_text(folder):
         check("Wall shear stress [Pa]" in titles, f"no unit in the legends {titles}")
         check(values(tables[False], "NanColor") is not None, "no colour for stress that is not known")
     if "tissue.pvd" in there:
+        check_cut(folder, kinds["Plane"])
         check_spheres(kinds["UnstructuredGridRepresentation"])
         names = values(tables[True], "Annotations")
         check(names[1::2] == [name for name, _ in view.CLASSES][: len(names) // 2], f"names are {names}")
     print(f"view.pvsm: {path.stat().st_size} bytes, {len(views)} view, files {', '.join(files)}")
+
+
+def check_cut(folder, planes):
+    """That the vessel is cut along its axis, in the plane in which that bends: what lies on one side of the plane is what
+    lies on the other."""
+    agents = results.agents(results.frames(folder, "tissue")[-1][1])
+    for plane in planes:
+        origin, normal = (np.array(values(plane, name), dtype=float) for name in ("Origin", "Normal"))
+        side = (agents["in_space"] - origin) @ normal
+        check(abs(side.mean()) < 0.05 * side.max(), f"the cut is {side.mean()} m off")
+        # Bent in the plane, no point leaves the distance from it that it had in the straight vessel
+        about = np.column_stack([np.ones(len(side)), agents["position"][:, :2]])
+        left = side - about @ np.linalg.lstsq(about, side, rcond=None)[0]
+        check(np.abs(left).max() < 0.01 * side.max(), f"the vessel bends out of the plane of the cut by {np.abs(left).max()} m")
 
 
 def check_spheres(shown):

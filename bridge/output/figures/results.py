@@ -121,7 +121,7 @@ def agents(path):
 
 
 def lumen(path):
-    """Of a lumen file: vertices (n, 3) [m], triangles (m, 3), WSS [Pa] and region of each triangle.
+    """Of a lumen file: vertices (n, 3) [m] about the axis and `in_space`, triangles (m, 3), WSS [Pa] and region of each.
 
     Of a flow that beats also TAWSS, OSI, RRT and transWSS.
     """
@@ -131,6 +131,7 @@ def lumen(path):
     return {
         **{name: vtk_to_numpy(cells.GetArray(name)).astype(float) for name in beats},
         "vertices": straight_positions(data),
+        "in_space": vtk_to_numpy(data.GetPoints().GetData()).astype(float),
         "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
         "WSS": vtk_to_numpy(cells.GetArray("WSS")).astype(float),
         "region": vtk_to_numpy(cells.GetArray("region")),

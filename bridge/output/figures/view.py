@@ -4,6 +4,7 @@ Written for ParaView 5.11 (Debian 12); what is not said here is ParaView's defau
 lumen.pvd without a folder, so that results can be moved: ParaView looks for them in the folder that it is started in.
 """
 
+import itertools
 import xml.etree.ElementTree as ElementTree
 
 import matplotlib
@@ -32,6 +33,7 @@ FORMULA = (
     "if(daughter==1, 2, if(synthetic==1, 1, 0)))))))"
 )
 POINTS, CELLS = 0, 1  # what an array is on
+SLICES = 20  # of a bent vessel, through which its axis is found
 VESSEL = 1.1  # largest width of what is drawn over the height of the picture: beside it there are legends
 
 
@@ -104,17 +106,17 @@ def add_proxy(parent, proxy):
 class Cut:
     """How the vessel is cut, and from where one looks at it: directions are unit vectors, lengths in m."""
 
-    def __init__(self, points, of_its_own):
-        """`of_its_own`: a lumen that lies as it likes is cut across the direction that it reaches least far in; else
-        the vessel is about the z axis, and cut along it."""
-        if of_its_own:
+    def __init__(self, points, straight):
+        """`straight`: where the points (n, 3) [m] are in the straight vessel about the z axis, which is cut along its
+        axis, in the plane in which that bends. Without it the lumen lies as it likes, and is cut across the direction
+        that it reaches least far in."""
+        if straight is None:
             self.origin = 0.5 * (points.min(axis=0) + points.max(axis=0))
             _, self.up, self.normal = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
             towards = self.normal
         else:
-            self.origin = np.array([0.0, 0.0, 0.5 * points[:, 2].max()])
-            self.normal, self.up = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
-            towards = np.array([4.2, 2.2, -2.4])
+            self.origin, along, self.up, self.normal = axis_plane(points, straight)
+            towards = 4.2 * self.normal + 2.2 * self.up - 2.4 * along
         towards = towards / np.linalg.norm(towards)
         right = np.cross(self.up, towards)
         right /= np.linalg.norm(right)
@@ -125,6 +127,28 @@ class Cut:
         middle = 0.5 * (across.min() + across.max()) + 0.15 * self.scale, 0.5 * (along.min() + along.max())
         self.focus = self.origin + middle[0] * right + middle[1] * above
         self.eye = self.focus + 6 * max(np.ptp(across), np.ptp(along)) * towards
+
+
+def axis_plane(points, straight):
+    """The middle of a vessel's axis, and unit vectors along it, across it in the plane in which it bends, and normal to
+    that plane: z, y and x where it is straight."""
+    z = straight[:, 2]
+    if np.allclose(points, straight, atol=1e-9):
+        return np.array([0.0, 0.0, 0.5 * z.max()]), np.array([0, 0, 1.0]), np.array([0, 1.0, 0]), np.array([1.0, 0, 0])
+    ends = np.linspace(z.min(), z.max(), SLICES + 1)
+    axis = []
+    for low, high in itertools.pairwise(ends):
+        inside = (z >= low) & (z <= high)
+        # Where a line about x = y = 0 through the slice has its middle in space
+        about = np.column_stack([np.ones(inside.sum()), straight[inside] - [0, 0, 0.5 * (low + high)]])
+        axis.append(np.linalg.lstsq(about, points[inside], rcond=None)[0][0])
+    axis = np.array(axis)
+    along, _, normal = np.linalg.svd(axis - axis.mean(axis=0), full_matrices=False)[2]
+    if along @ (axis[-1] - axis[0]) < 0:
+        along = -along
+    if normal[np.abs(normal).argmax()] < 0:
+        normal = -normal
+    return axis[len(axis) // 2], along, np.cross(along, normal), normal
 
 
 class Pipeline:
@@ -336,12 +360,15 @@ def write(folder, path):
         raise results.NothingToDraw(f"{folder} has neither cells nor a lumen")
     lumens = [results.lumen(file) for _, file in results.spread(lumen, FRAMES)]
     agents = results.agents(tissue[-1][1]) if tissue else None
-    points = agents["position"] if tissue else lumens[-1]["vertices"]
+    points, straight = (agents["in_space"], agents["position"]) if tissue else (
+        lumens[-1]["in_space"], lumens[-1]["vertices"])
+    if results.only_flow_from_file(folder):
+        straight = None
     solid = (folder / "struts.vtp").exists()
     struts = solid or any((surface["region"] == 1).any() for surface in lumens)
     struts = struts or bool(tissue and (agents["kind"] == results.KINDS["strut"]).any())
     state = State()
-    pipeline = Pipeline(state, Cut(points, results.only_flow_from_file(folder)))
+    pipeline = Pipeline(state, Cut(points, straight))
     if tissue:
         add_tissue(pipeline, struts, solid)
     if solid:
