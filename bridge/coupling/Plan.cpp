@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bridge/coupling/CostForecast.h"
+#include "bridge/coupling/FidelityError.h"
 #include "bridge/coupling/GrowthStep.h"
 #include "bridge/coupling/Instant.h"
 #include "bridge/coupling/WallPreparation.h"
@@ -45,7 +46,7 @@ std::string planText(const Scene& scene) {
   for (const PlannedPart& part : plannedParts(scene))
     text +=
         fmt::format("  {:<5}{:<20} {}\n", part.runs ? "runs" : "-", part.name, printable(part.explanation));
-  return text + costText(scene);
+  return text + costText(scene) + fidelityErrorText(scene);
 }
 
 std::string planJson(const Scene& scene) {
@@ -78,6 +79,9 @@ std::string planJson(const Scene& scene) {
                     {"secondsASolve", flow->secondsASolve},
                     {"likelySolves", {flow->fewSolves, flow->manySolves}}};
   }
+  plan["error"] = nullptr;
+  if (const auto error = fidelityError(scene))
+    plan["error"] = {{"neointimaArea", error->area}, {"seeds", error->seeds}};
   // Names of files may be no UTF-8
   return plan.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -18,7 +18,8 @@ std::vector<PlannedPart> plannedParts(const Scene& scene);
 
 /// What `check` says of a scene: what is modelled, which parts of a run run when and which do not and why
 /// (each part explains itself), agents (struts included; of a loaded wall those of its
-/// table), estimated memory and time, with that of the flow. Throws as makeStent does.
+/// table), estimated memory and time, with that of the flow, and how far the fidelity's
+/// neointima is off. Throws as makeStent does.
 std::string planText(const Scene& scene);
 /// The same as JSON, for programs: units are in the names.
 std::string planJson(const Scene& scene);

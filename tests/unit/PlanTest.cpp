@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bridge/coupling/CostForecast.h"
+#include "bridge/coupling/FidelityError.h"
 #include "bridge/coupling/Instant.h"
 #include "bridge/coupling/Plan.h"
 #include "bridge/scene/LoadedWall.h"
@@ -136,6 +137,37 @@ TEST(Plan, SaysWhatTheFlowOfGrowingTissueIsLikelyToTake) {
   EXPECT_NE(planText(scene).find(" a solve; 169 solves are likely: "), std::string::npos) << planText(scene);
   scene.coupling.schedule = "everyStep";
   EXPECT_NE(planText(scene).find(" a solve; 241 solves are likely: "), std::string::npos) << planText(scene);
+}
+
+TEST(Plan, SaysHowFarTheFidelityIsOffWhereThatWasMeasured) {
+  Scene scene;
+  scene.scene.duration = 28 * secondsPerDay;
+  scene.scene.step = 3600;
+  scene.mechanics.emplace();
+  scene.cellCycle.emplace();
+  scene.stent.emplace();
+  scene.endothelium.emplace();
+  scene.flow.emplace().backend = "foam";
+  scene.scene.fidelity = "draft";
+  EXPECT_EQ(fidelityErrorText(scene), "");  // the tolerance of another fidelity
+  scene.coupling = CouplingParameters::forFidelity("draft");
+  const auto draft = fidelityError(scene);
+  ASSERT_TRUE(draft);
+  EXPECT_NE(planText(scene).find("\nerror: neointimal area at draft: "), std::string::npos)
+      << planText(scene);
+  EXPECT_EQ(nlohmann::json::parse(planJson(scene))["error"]["neointimaArea"], draft->area);
+  Scene other = scene;
+  other.vessel.cellRadius = 40e-6;
+  EXPECT_EQ(fidelityErrorText(other), "");
+  other = scene;
+  other.flow->backend = "lbm";
+  EXPECT_EQ(fidelityErrorText(other), "");
+  other = scene;
+  other.foam.emplace();
+  EXPECT_EQ(fidelityErrorText(other), "");
+  scene.scene.fidelity = "reference";
+  scene.coupling = CouplingParameters::forFidelity("reference");
+  EXPECT_EQ(fidelityError(scene)->area, 0);
 }
 
 TEST(Plan, AsJsonHasTheSameNumbers) {
