@@ -123,15 +123,15 @@ TEST(Plan, SaysWhatTheFlowOfGrowingTissueIsLikelyToTake) {
   EXPECT_NE(planText(scene).find(" a solve; 5 to 9 solves are likely: "), std::string::npos)
       << planText(scene);
   scene.activation.emplace();
-  EXPECT_NE(planText(scene).find(" a solve; 14 to 26 solves are likely: "), std::string::npos)
+  EXPECT_NE(planText(scene).find(" a solve; 10 to 21 solves are likely: "), std::string::npos)
       << planText(scene);
   scene.coupling.lumenInterval = 12 * 3600;
-  EXPECT_NE(planText(scene).find(" a solve; 14 to 15 solves are likely: "), std::string::npos)
+  EXPECT_NE(planText(scene).find(" a solve; 10 to 15 solves are likely: "), std::string::npos)
       << planText(scene);
   scene.activation.reset();
   scene.coupling.lumenInterval = 0;
   scene.coupling.lumenTolerance = 5e-6;
-  EXPECT_NE(planText(scene).find(" a solve; 24 to 169 solves are likely: "), std::string::npos)
+  EXPECT_NE(planText(scene).find(" a solve; 34 to 169 solves are likely: "), std::string::npos)
       << planText(scene);
   scene.coupling.lumenTolerance = 0;
   EXPECT_NE(planText(scene).find(" a solve; 169 solves are likely: "), std::string::npos) << planText(scene);
