@@ -25,6 +25,8 @@ constexpr std::array measured = {
     Measured{"draft", false, 15e-6, {-0.042, 0.054}},
     Measured{"standard", false, 15e-6, {-0.042, 0.054}},
     Measured{"reference", false, 15e-6, {0, 0.054}},
+    Measured{"draft", true, 15e-6, {0.117, 0.186}},
+    Measured{"reference", true, 15e-6, {0, 0.186}},
 };
 /// How far a cell's radius may be from that of a measurement.
 constexpr double alike = 0.1;
