@@ -1,9 +1,7 @@
 """How much two solutions of the flow in a ring's vessel differ on its wall, and how far two lumens are from each other."""
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
-from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from lumenTriangles import triangles
 
 INSIDE = (0.2e-3, 1.0e-3)  # along the vessel [m]: without its ends
 PATCH = 30e-6  # as wide as a cell: a cell takes the mean stress of the faces that are nearest to it
@@ -13,17 +11,8 @@ WALL = 0  # of the array `region`
 
 def patches(file, field):
     """Means of a field over the wall between the struts, and areas [m^2], by patch along and around the vessel."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(file))
-    means = vtkPointDataToCellData()
-    means.SetInputConnection(reader.GetOutputPort())
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputConnection(means.GetOutputPort())
-    sizes.Update()
-    surface = sizes.GetOutput()
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    x, y, z = vtk_to_numpy(surface.GetPoints().GetData())[corners].mean(1).T
-    area, values, region = (vtk_to_numpy(surface.GetCellData().GetArray(name)) for name in ("Area", field, "region"))
+    centres, area, values, region = triangles(file, field, "region")
+    x, y, z = centres.T
     known = (z > INSIDE[0]) & (z < INSIDE[1]) & np.isfinite(values) & (region == WALL)
     around = int(2 * np.pi * LUMEN_RADIUS / PATCH)
     patch = (z // PATCH).astype(int) * around + ((np.arctan2(y, x) / (2 * np.pi) + 0.5) * around).astype(int) % around
