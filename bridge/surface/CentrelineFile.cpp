@@ -30,10 +30,13 @@ CentrelinePoints readTable(const std::filesystem::path& file) {
   if (const std::string obstacle = fileObstacle(file); !obstacle.empty()) refuseFile(file, obstacle);
   CsvLines lines(file);
   CentrelinePoints read;
-  const std::size_t columns = lines.next() && lines.text() == "x,y,z,radius" ? 4 : 3;
-  if (columns == 3 && lines.number() != 0 && lines.text() != "x,y,z")
-    lines.fail(fmt::format("{} is no header of a centreline; it must be 'x,y,z' or 'x,y,z,radius'",
-                           shown(lines.text())));
+  std::size_t columns = 0;
+  if (lines.next()) {
+    columns = lines.text() == "x,y,z,radius" ? 4 : 3;
+    if (columns == 3 && lines.text() != "x,y,z")
+      lines.fail(fmt::format("{} is no header of a centreline; it must be 'x,y,z' or 'x,y,z,radius'",
+                             shown(lines.text())));
+  }
   while (lines.next()) {
     std::vector<double> numbers;
     for (const std::string_view cell : lines.cells())

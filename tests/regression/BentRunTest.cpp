@@ -7,6 +7,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bridge/surface/CylinderSurface.h"
 #include "bridge/surface/StlFile.h"
@@ -25,6 +26,30 @@ class BentRun : public WholeProgram {
     reader_->Modified();
     reader_->Update();
     return reader_->GetOutput();
+  }
+
+  /// Writes axis.csv: an arc of a radius of 5 mm and a length, turned about z from y towards x.
+  void writeAxis(double length, double turn) {
+    std::string table = "x,y,z\n";
+    for (int n = 0; n <= 20; ++n) {
+      const double angle = n * length / 20 / 5, across = 5 * (1 - std::cos(angle));
+      table +=
+          fmt::format("{},{},{}\n", std::sin(turn) * across, std::cos(turn) * across, 5 * std::sin(angle));
+    }
+    writeText(folder / "axis.csv", table);
+  }
+  /// The scene of a wall of large cells, one step; `vessel`: what its lumen follows.
+  std::string wall(const std::string& vessel) {
+    return scene("bent", R"([scene]
+title = "Bent"
+duration = "1 h"
+step = "1 h"
+[mechanics]
+contactLaw = "hertzNeoHookean"
+[vessel]
+wallThickness = "0.2 mm"
+cellRadius = "30 um"
+)" + vessel);
   }
 
   vtkNew<vtkXMLPolyDataReader> reader_;
@@ -80,13 +105,7 @@ straightEnds = "1.8 mm"
 }
 
 TEST_F(BentRun, AlongACentrelineIsThatAlongItsArc) {
-  std::string table = "x,y,z\n";
-  for (int n = 0; n <= 20; ++n) {
-    const double angle = n * 0.24 / 20 / 5;  // the length of the vessel of tinyScene on a radius of 5 mm
-    table +=
-        "0," + std::to_string(5 * (1 - std::cos(angle))) + "," + std::to_string(5 * std::sin(angle)) + "\n";
-  }
-  writeText(folder / "axis.csv", table);
+  writeAxis(0.24, 0);  // as long as the vessel of tinyScene
   const std::string straight = scene("straight", tinyScene);
   ASSERT_EXIT_STATUS(run({"run", straight, "-o", "arc", "--set", "vessel.curvatureRadius=5 mm"}), 0);
   ASSERT_EXIT_STATUS(run({"run", straight, "-o", "line", "--set", "vessel.centreline=axis.csv"}), 0);
@@ -105,17 +124,7 @@ TEST_F(BentRun, AroundABentSurfaceFindsItsAxis) {
   VesselParameters vessel;
   vessel.length = 1.2e-3;
   writeStl(folder / "bent.stl", bentAlong(axis, cylinderSurface(vessel, {60e-6, 60e-6})), 1e-3);
-  const std::string quick = scene("bent", R"([scene]
-title = "Bent"
-duration = "1 h"
-step = "1 h"
-[vessel]
-lumenSurface = "bent.stl"
-wallThickness = "0.2 mm"
-cellRadius = "30 um"
-[mechanics]
-contactLaw = "hertzNeoHookean"
-)");
+  const std::string quick = wall("lumenSurface = \"bent.stl\"\n");
   ASSERT_EXIT_STATUS(run({"run", quick, "-o", "out", "--set", "output.pictures=false"}), 0);
   const CsvColumns profile(folder / "out/profile.csv");
   EXPECT_NEAR(1e-3 * profile.values.at("z_mm").back().value() / vessel.length, 1, 5e-3);
@@ -125,25 +134,8 @@ contactLaw = "hertzNeoHookean"
 TEST_F(BentRun, IsCutInTheStateOfParaViewWhereItBends) {
   if (!picturesPackagesPresent())
     GTEST_SKIP() << "install python3-matplotlib and python3-vtk9 to run this test";
-  // In a plane between x and y
-  std::string table = "x,y,z\n";
-  for (int n = 0; n <= 20; ++n) {
-    const double angle = n * 1.2 / 20 / 5, across = 5 * (1 - std::cos(angle)) / std::sqrt(2);
-    table += fmt::format("{},{},{}\n", across, across, 5 * std::sin(angle));
-  }
-  writeText(folder / "axis.csv", table);
-  const std::string bent = scene("bent", R"([scene]
-title = "Bent"
-duration = "1 h"
-step = "1 h"
-[vessel]
-centreline = "axis.csv"
-lumenDiameter = "1.8 mm"
-wallThickness = "0.2 mm"
-cellRadius = "30 um"
-[mechanics]
-contactLaw = "hertzNeoHookean"
-)");
+  writeAxis(1.2, std::numbers::pi / 4);
+  const std::string bent = wall("centreline = \"axis.csv\"\nlumenDiameter = \"1.8 mm\"\n");
   ASSERT_EXIT_STATUS(run({"run", bent, "-o", "out", "--set", "output.pictures=false"}), 0);
   checkView(folder / "out");
 }

@@ -105,6 +105,14 @@ TEST_F(Studies, ATableOfPointsIsOneGroup) {
             "scene,point,seed,day,smc\ntiny,1,7,0.0,100.0\ntiny,1,7,1.0,100.0\ntiny,2,8,0.0,100.0\n"
             "tiny,2,8,1.0,200.0\n");
   EXPECT_NE(readText(folder / "out/table.csv").find("tiny,4,smc,150,100,200,2\n"), std::string::npos);
+  // Of two scenes each has every point
+  scene("other", tinyScene);
+  writeText(folder / "study.toml", with(points, "\"tiny.toml\"", "\"tiny.toml\", \"other.toml\""));
+  for (const int n : {1, 2})
+    fs::copy(folder / "out/runs/tiny_point0001", folder / fmt::format("out/runs/other_point000{}", n));
+  const ProcessEnd both = script("collect.py");
+  ASSERT_EQ(both.status, 0) << toString(both);
+  EXPECT_NE(readText(folder / "out/curves.csv").find("other,2,8,1.0,100.0\n"), std::string::npos);
   EXPECT_EQ(start(with(points, "[settings]", "[grid]\n\"cellCycle.g1Mean\" = [\"12 h\"]\n[settings]")).status,
             2);
 }
