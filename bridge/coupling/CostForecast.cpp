@@ -33,11 +33,11 @@ struct CostEstimate {
   double bytesPerAgent = 670;  ///< state, bonds, neighbour lists, output buffers
   double bytesPerNode = 7;     ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
-  double deploySecondsPerStep = 3e-6;  ///< per agent
+  double deploySecondsPerStep = 2e-6;  ///< per agent
   // Per agent: until growthEnd, where the surface grows or the bulk too, and after it
-  double surfaceSecondsPerStep = 1.4e-6, bulkSecondsPerStep = 2e-6, restSecondsPerStep = 6e-7;
+  double surfaceSecondsPerStep = 1.2e-6, bulkSecondsPerStep = 1.7e-6, restSecondsPerStep = 6e-7;
   // One solve by OpenFOAM, with its mesh, and by the lattice
-  double foamBytes = 1.3e8, bytesPerCell = 4300, secondsPerCell = 4.2e-4, shareOfTwoRanks = 0.73;
+  double foamBytes = 1.3e8, bytesPerCell = 4300, secondsPerCell = 3.5e-4, shareOfTwoRanks = 0.73;
   double secondsPerCellInAStep = 2.7e-6;  ///< of a beat, by one correction, on one core
   double latticeBytes = 3e7, bytesPerLatticeNode = 200, secondsPerLatticeNode = 1e-5;
 };
