@@ -107,7 +107,7 @@ TEST_F(Uncertainty, ALinearModelHasItsExactIndices) {
     std::vector<std::string> cells;
     std::istringstream rest(indices.substr(at + 1, indices.find('\n', at) - at - 1));
     for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
-    return cells;  // parameter, first and its interval, total and its interval, surrogate
+    return cells;  // parameter, first and its interval, total and its interval, linear
   };
   EXPECT_NE(indices.find(",1.000,injury.syntheticReach,"), std::string::npos) << indices;
   EXPECT_NEAR(std::stod(of("injury.syntheticReach").at(7)), 4.0 / 13, 0.002);
