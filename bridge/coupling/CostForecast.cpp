@@ -29,7 +29,7 @@ namespace {
 
 /// Measured on two cores of a server; the order of magnitude is what matters.
 struct CostEstimate {
-  double programBytes = 6e7;
+  double programBytes = 5e7;
   double bytesPerAgent = 670;  ///< state, bonds, neighbour lists, output buffers
   double bytesPerNode = 7;     ///< of the distance field that the lumen is taken from, with all made of it
   double packSecondsPerAgent = 4e-5;
